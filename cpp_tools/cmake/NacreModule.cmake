@@ -1,0 +1,52 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+
+# Flags for our own sources only; consumers never inherit them.
+add_library(nacre_flags INTERFACE)
+target_compile_features(nacre_flags INTERFACE cxx_std_20)
+# -ffp-contract=off keeps results equal on machines with and without fused multiply-add.
+target_compile_options(nacre_flags INTERFACE
+    -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
+    $<$<BOOL:${NACRE_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# The only arrows that exist between modules; nacre_module() refuses every other one.
+set(NACRE_ALLOWED_core "")
+set(NACRE_ALLOWED_spectral core)
+set(NACRE_ALLOWED_optics spectral)
+set(NACRE_ALLOWED_lut optics)
+set(NACRE_ALLOWED_material core)
+set(NACRE_ALLOWED_oslgen material)
+set(NACRE_ALLOWED_pipeline lut oslgen)
+
+# nacre_module(NAME SOURCES file… [DEPENDS module…] [LIBRARIES target…])
+#
+# Adds the static library nacre_NAME (alias Nacre::NAME) from src/NAME. Each module sees the public
+# headers of itself and of what it depends on and nothing else: every module has an include folder
+# of its own in the build tree that links to include/nacre/NAME.
+function(nacre_module name)
+    cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+    foreach(dependency IN LISTS ARG_DEPENDS)
+        if(NOT dependency IN_LIST NACRE_ALLOWED_${name})
+            message(FATAL_ERROR "module ${name} must not depend on ${dependency}: "
+                                "the directions are core <- spectral <- optics <- lut, "
+                                "core <- material <- oslgen, pipeline -> lut, oslgen")
+        endif()
+    endforeach()
+
+    set(view "${PROJECT_BINARY_DIR}/module_include/${name}")
+    file(MAKE_DIRECTORY "${view}/nacre")
+    file(CREATE_LINK "${PROJECT_SOURCE_DIR}/cpp_tools/include/nacre/${name}" "${view}/nacre/${name}"
+         SYMBOLIC)
+
+    add_library(nacre_${name} STATIC ${ARG_SOURCES})
+    add_library(Nacre::${name} ALIAS nacre_${name})
+    list(TRANSFORM ARG_DEPENDS PREPEND Nacre:: OUTPUT_VARIABLE module_targets)
+    target_link_libraries(nacre_${name} PUBLIC ${module_targets} PRIVATE ${ARG_LIBRARIES}
+                          $<BUILD_INTERFACE:nacre_flags>)
+    target_include_directories(nacre_${name} PUBLIC
+        $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>
+        PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
+    target_compile_features(nacre_${name} PUBLIC cxx_std_20)
+    set_target_properties(nacre_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
+    install(TARGETS nacre_${name} EXPORT NacreTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+endfunction()

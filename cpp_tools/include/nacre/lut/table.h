@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace nacre::lut {
+
+/// One axis of a table: the centres of the edge texels hold `min` and `max`, linear in between.
+struct Axis {
+    std::string name;  ///< `cos_theta`, `thickness_nm`, `thickness_scale`, …
+    std::string unit;  ///< `1`, `nm`, …
+    double min, max;
+    int texels;
+
+    [[nodiscard]] double at(int texel) const noexcept;  ///< value at a texel centre
+};
+
+/// A baked two-dimensional table, row-major; row 0 (the top row of the image) holds `y.min`.
+struct Table {
+    std::string name;      ///< `R`, `T`, `R_bare`, …: the file is `<id>_<name>.exr`
+    std::string quantity;  ///< `reflectance`, `transmittance`
+    Axis x, y;             ///< y.texels is 1 where nothing but the angle varies
+    std::vector<std::string> channels;  ///< `R`, `G`, `B`
+    std::vector<float> texels;          ///< y.texels * x.texels * channels.size()
+    double error_max = 0.0;   ///< ΔE00 between texels against the exact value, largest probe
+    double error_mean = 0.0;  ///< the same, mean over the probes
+};
+
+}  // namespace nacre::lut

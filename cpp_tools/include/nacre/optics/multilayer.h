@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "nacre/optics/fresnel.h"
+
+namespace nacre::optics {
+
+enum class Polarisation { s, p };
+
+struct Layer {
+    Complex n;
+    double thickness_nm;
+    bool coherent = true;
+};
+
+/// A stack at one wavelength, listed from the ambient (camera side) down.
+struct FilmStack {
+    Complex ambient;
+    std::vector<Layer> layers;
+    Complex substrate;
+};
+
+/// Amplitudes of the whole stack; both are measured at the outer interfaces.
+struct Amplitudes {
+    Complex r, t;
+};
+
+/// Power ratios of the whole stack; A = 1 − R − T.
+struct PowerRatios {
+    double R, T, A;
+};
+
+/// Coherent stack by the recursion from the substrate up (Hirayama et al. 2001, eq. 8–11 in form
+/// A18); only exp(2 i Δ), |·| ≤ 1, is ever formed, so opaque layers underflow quietly.
+///
+/// @param cos_ambient    cosine of the angle of incidence in the ambient, in (0, 1]
+/// @param wavelength_nm  vacuum wavelength
+/// @pre every layer is coherent; n > 0, k ≥ 0, thickness ≥ 0 (checked by `validate`)
+[[nodiscard]] Amplitudes stack_amplitudes(const FilmStack& stack, double cos_ambient,
+                                          double wavelength_nm, Polarisation polarisation);
+
+/// Power ratios of a coherent, incoherent or mixed stack; intensities are added across layers that
+/// are not coherent, as `inc_tmm` of the tmm package does.
+[[nodiscard]] PowerRatios stack_power(const FilmStack& stack, double cos_ambient,
+                                      double wavelength_nm, Polarisation polarisation);
+
+/// Mean of s and p.
+[[nodiscard]] PowerRatios stack_power_unpolarised(const FilmStack& stack, double cos_ambient,
+                                                  double wavelength_nm);
+
+/// What is wrong with a stack, or nothing: an index that is not finite, n ≤ 0, k < 0 (gain),
+/// a negative or infinite thickness, an absorbing ambient, more than 64 layers. Fields are named as
+/// in `n[3]`, `d_nm[1]`; the caller adds file and line.
+struct StackProblem {
+    const char* field;  ///< "n" or "d_nm"
+    int index;
+    const char* message;
+};
+[[nodiscard]] std::optional<StackProblem> validate(const FilmStack& stack) noexcept;
+
+inline constexpr int kMaxLayers = 64;
+
+}  // namespace nacre::optics

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nacre/lut/film_table.h"
+#include "nacre/material/template.h"
+#include "nacre/spectral/colour.h"
+
+/// @file
+/// Template in, compiled material out: looks up media, bakes tables, generates shader and manifest.
+/// Shared by the command-line tool, the C API and so the Blender extension. Writes no files.
+
+namespace nacre::pipeline {
+
+struct CompileOptions {
+    std::string illuminant = "D65";
+    spectral::ObserverId observer = spectral::ObserverId::cie1931;
+    std::string space = "lin_rec709_scene";
+    double tolerance = 0.1;  ///< ΔE00
+    std::function<bool(double)> progress;
+};
+
+struct CompiledMaterial {
+    std::string id;
+    std::string osl;       ///< text of `<id>.osl`
+    std::string manifest;  ///< text of `<id>.json`
+    std::vector<lut::Table> tables;
+};
+
+/// @throws InputError with the template's file and lines.
+[[nodiscard]] CompiledMaterial compile(const material::MaterialTemplate& source,
+                                       const CompileOptions& options);
+
+/// The stack of a film template with media looked up; what `bake stack` and tests use.
+/// Every wavelength-dependent index is on the 1 nm grid.
+[[nodiscard]] lut::FilmTableRequest film_request(const material::MaterialTemplate& source,
+                                                 const CompileOptions& options);
+
+}  // namespace nacre::pipeline
