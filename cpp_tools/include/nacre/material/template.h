@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <complex>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,16 +15,42 @@
 
 namespace nacre::material {
 
-struct LibraryMedium { std::string key; };                       ///< medium = "Fe/Johnson"
-struct ConstantMedium { double n, k; };                          ///< n = 1.33, k = 0.0
-struct CauchyMedium { std::vector<double> coefficients; double k; };  ///< cauchy = [a, b, c], λ in µm
-struct SellmeierMedium { std::vector<double> b, c; };            ///< sellmeier = { b = […], c = […] }, C in µm²
-struct AbbeMedium { double n_d, v_d; };                          ///< abbe = { n_d = 1.5168, v_d = 64.17 }
+/// medium = "Fe/Johnson"
+struct LibraryMedium {
+    std::string key;
+    bool operator==(const LibraryMedium&) const = default;
+};
 
-/// A medium and the line of the template that names it, for messages.
+/// n = 1.33, k = 0.0
+struct ConstantMedium {
+    double n = 1.0, k = 0.0;
+    bool operator==(const ConstantMedium&) const = default;
+};
+
+/// cauchy = [a, b, c], λ in µm; one to three coefficients
+struct CauchyMedium {
+    std::vector<double> coefficients;
+    double k = 0.0;
+    bool operator==(const CauchyMedium&) const = default;
+};
+
+/// sellmeier = { b = […], c = […] }, C in µm²
+struct SellmeierMedium {
+    std::vector<double> b, c;
+    bool operator==(const SellmeierMedium&) const = default;
+};
+
+/// abbe = { n_d = 1.5168, v_d = 64.17 }
+struct AbbeMedium {
+    double n_d = 1.5, v_d = 60.0;
+    bool operator==(const AbbeMedium&) const = default;
+};
+
+/// A medium, and where the template names it, for messages.
 struct MediumSpec {
     std::variant<LibraryMedium, ConstantMedium, CauchyMedium, SellmeierMedium, AbbeMedium> value;
     int line = 0;
+    std::string field;  ///< e.g. `layer[2].medium`
 };
 
 /// A number that may be the artist's to change.
@@ -41,13 +67,19 @@ struct LayerSpec {
     bool coherent = true;
 };
 
+/// `[[layer]]` is one layer, or a group `{ repeat = 7, group = [{…}, {…}] }`.
 /// `[stack] scale = { default, min, max }`: a factor on all coherent layers as the second axis;
-/// excludes a layer that varies. `[stack] repeat` may repeat the listed group of layers.
+/// excludes a layer that varies.
 struct StackSpec {
     MediumSpec ambient, substrate;
-    std::vector<LayerSpec> layers;  ///< after `repeat` groups are unrolled; 0 … 64
+    std::vector<LayerSpec> layers;  ///< with groups unrolled; 0 … kMaxLayers
     std::optional<Quantity> scale;
+
+    /// Index of the layer that varies.
+    [[nodiscard]] std::optional<std::size_t> varying_layer() const;
 };
+
+inline constexpr int kMaxLayers = 64;
 
 struct SurfaceSpec {
     double roughness = 0.0;
@@ -60,11 +92,11 @@ enum class GratingProfile { sinusoidal, rectangular, blazed };
 struct GratingSpec {
     Quantity pitch_nm;
     GratingProfile profile = GratingProfile::rectangular;
-    double depth_nm = 0.0;       ///< groove depth
-    double duty = 0.5;
-    MediumSpec cover;            ///< what fills the grooves; only its index enters the phase depth
-    MediumSpec substrate;        ///< the reflecting metal
-    int orders = 3;              ///< ±1 … ±orders
+    double depth_nm = 0.0;  ///< groove depth
+    double duty = 0.5;      ///< fraction of the period that is raised; rectangular only
+    MediumSpec cover;       ///< what fills the grooves; only its index enters the phase depth
+    MediumSpec substrate;   ///< the reflecting metal
+    int orders = 3;         ///< ±1 … ±orders
 };
 
 /// `[glass]`: smooth dispersive glass by a formula or a library entry.
@@ -72,8 +104,11 @@ struct GlassSpec {
     MediumSpec medium;
 };
 
-/// `[[parameter]]`: what the artist sees beyond what follows from the layers. Known names:
-/// `coverage` (fades the film), `roughness`, `tint`… unknown names are errors that list these.
+/// `[[parameter]]`: a slider beyond what follows from the layers, or another label, range or default
+/// for one that every material of the kind has.
+///   film     `coverage` (fades to the bare substrate; only where declared), `roughness`
+///   grating  `strength`, `roughness`
+///   glass    `dispersion`, `roughness`
 struct ParameterSpec {
     std::string name, label, description;
     double value = 0.0, min = 0.0, max = 1.0;
@@ -85,6 +120,9 @@ struct MaterialTemplate {
     std::variant<StackSpec, GratingSpec, GlassSpec> kind;
     SurfaceSpec surface;
     std::vector<ParameterSpec> parameters;
+
+    [[nodiscard]] const ParameterSpec* parameter(std::string_view parameter_name) const;
+
     std::string file;    ///< for messages
     std::string sha256;  ///< of the template's bytes
 };

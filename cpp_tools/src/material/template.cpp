@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/material/template.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "nacre/core/sha256.h"
+#include "read_kinds.h"
+#include "toml_section.h"
+
+namespace nacre::material {
+namespace {
+
+bool is_file_name_safe(std::string_view id)
+{
+    const auto allowed = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
+    };
+    return id.size() <= 63 && id.front() >= 'a' && id.front() <= 'z' &&
+           std::ranges::all_of(id, allowed);
+}
+
+std::string required_text(Section& section, std::string_view key)
+{
+    section.require(key, "a string");
+    return section.text(key).value_or("");
+}
+
+void read_material(Section& root, MaterialTemplate& result)
+{
+    if (!root.require("material", "a table [material] with id, name, category, source"))
+        return;
+    auto section = root.section("material");
+    if (!section)
+        return;
+    result.id = required_text(*section, "id");
+    if (!result.id.empty() && !is_file_name_safe(result.id))
+        section->report("id", fmt::format("must be a to z, 0 to 9 and _, start with a letter and be "
+                                          "at most 63 characters long (got \"{}\")",
+                                          result.id));
+    result.name = required_text(*section, "name");
+    result.category = required_text(*section, "category");
+    result.source = required_text(*section, "source");
+    result.description = section->text("description").value_or("");
+    section->report_unknown_keys();
+}
+
+void read_surface(Section& root, MaterialTemplate& result)
+{
+    auto section = root.section("surface");
+    if (!section)
+        return;
+    result.surface.roughness = section->number("roughness", {0.0, 1.0}).value_or(0.0);
+    if (std::holds_alternative<StackSpec>(result.kind))
+        result.surface.transmission = section->boolean("transmission").value_or(false);
+    section->report_unknown_keys();
+}
+
+void check_transmission(Section& root, const MaterialTemplate& result)
+{
+    const auto* stack = std::get_if<StackSpec>(&result.kind);
+    if (!stack || !result.surface.transmission || !root.has("ambient") || !root.has("substrate"))
+        return;
+    if (stack->ambient.value != stack->substrate.value)
+        root.report("surface", "transmission: needs a substrate that is the same medium as the "
+                               "ambient: a thin-walled film lets light pass straight on");
+}
+
+std::vector<std::string_view> known_parameters(const MaterialTemplate& result)
+{
+    if (std::holds_alternative<StackSpec>(result.kind))
+        return {"coverage", "roughness"};
+    if (std::holds_alternative<GratingSpec>(result.kind))
+        return {"roughness", "strength"};
+    return {"dispersion", "roughness"};
+}
+
+/// Sliders are shares, but dispersion may be exaggerated.
+Bounds parameter_bounds(std::string_view name)
+{
+    return {0.0, name == "dispersion" ? 10.0 : 1.0};
+}
+
+void read_parameter(Section& section, MaterialTemplate& result)
+{
+    ParameterSpec parameter;
+    parameter.line = section.line();
+    parameter.name = required_text(section, "name");
+    parameter.label = required_text(section, "label");
+    parameter.description = section.text("description").value_or("");
+    const auto known = known_parameters(result);
+    if (!parameter.name.empty() && std::ranges::find(known, parameter.name) == known.end())
+        section.report("name", fmt::format("unknown parameter; allowed here: {} (got \"{}\")",
+                                           fmt::join(known, ", "), parameter.name));
+    if (result.parameter(parameter.name))
+        section.report("name", fmt::format("already declared (got \"{}\")", parameter.name));
+
+    const Bounds bounds = parameter_bounds(parameter.name);
+    section.require("default", "a number");
+    const auto value = section.number("default", bounds);
+    parameter.min = section.number("min", bounds).value_or(0.0);
+    parameter.max = section.number("max", bounds).value_or(1.0);
+    if (parameter.min >= parameter.max)
+        section.report("min", fmt::format("must be below max (got {} and {})", parameter.min,
+                                          parameter.max));
+    else if (value && (*value < parameter.min || *value > parameter.max))
+        section.report("default", fmt::format("must be in [{}, {}] (got {})", parameter.min,
+                                              parameter.max, *value));
+    parameter.value = value.value_or(0.0);
+    section.report_unknown_keys();
+    result.parameters.push_back(std::move(parameter));
+}
+
+void read_template(Section& root, MaterialTemplate& result)
+{
+    root.require("schema", "1");
+    root.integer("schema", 1, 1);
+    read_material(root, result);
+    result.kind = read_kind(root);
+    read_surface(root, result);
+    check_transmission(root, result);
+    for (Section& section : root.sections("parameter"))
+        read_parameter(section, result);
+    root.report_unknown_keys();
+}
+
+}  // namespace
+
+std::optional<std::size_t> StackSpec::varying_layer() const
+{
+    const auto it = std::ranges::find_if(
+        layers, [](const LayerSpec& layer) { return layer.thickness_nm.varies; });
+    if (it == layers.end())
+        return std::nullopt;
+    return static_cast<std::size_t>(it - layers.begin());
+}
+
+const ParameterSpec* MaterialTemplate::parameter(std::string_view parameter_name) const
+{
+    const auto it = std::ranges::find(parameters, parameter_name, &ParameterSpec::name);
+    return it == parameters.end() ? nullptr : &*it;
+}
+
+MaterialTemplate parse_template(std::string_view toml, std::string_view file)
+{
+    toml::table table;
+    try {
+        table = toml::parse(toml, file);
+    } catch (const toml::parse_error& error) {
+        throw InputError(Diagnostic{std::string(file), static_cast<int>(error.source().begin.line),
+                                    "", std::string(error.description())});
+    }
+    MaterialTemplate result;
+    result.file = file;
+    result.sha256 = sha256_hex(toml);
+    DiagnosticList problems;
+    Section root(table, "", result.file, problems);
+    read_template(root, result);
+    problems.throw_if_any();
+    return result;
+}
+
+}  // namespace nacre::material

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <toml++/toml.h>
+#include <vector>
+
+#include "nacre/core/diagnostics.h"
+
+namespace nacre::material {
+
+/// Allowed values of a number. `exclusive_min` turns ≥ into >.
+struct Bounds {
+    double min = -std::numeric_limits<double>::infinity();
+    double max = std::numeric_limits<double>::infinity();
+    bool exclusive_min = false;
+
+    [[nodiscard]] bool contains(double value) const noexcept;
+    [[nodiscard]] std::string text() const;  ///< `must be in [0, 1]`, `must be > 0`, …
+};
+
+/// How a number is shown in a message: shortest form that reads back the same.
+[[nodiscard]] std::string number_text(double value);
+
+/// A table of the template under read: knows its path, collects problems, and in the end reports
+/// the keys that nobody asked for. Readers return nothing where they reported a problem.
+class Section {
+public:
+    Section(const toml::table& table, std::string path, std::string file, DiagnosticList& problems)
+        : table_(&table), path_(std::move(path)), file_(std::move(file)), problems_(&problems) {}
+
+    [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
+    [[nodiscard]] bool is_table(std::string_view key) const;
+    [[nodiscard]] int line(std::string_view key) const;  ///< of the value, or of the table
+    [[nodiscard]] int line() const;
+    [[nodiscard]] std::string field(std::string_view key) const;
+
+    std::optional<double> number(std::string_view key, const Bounds& bounds);
+    std::optional<int> integer(std::string_view key, int min, int max);
+    std::optional<std::string> text(std::string_view key);
+    std::optional<bool> boolean(std::string_view key);
+    /// Finite numbers, `min_size` to `max_size` of them.
+    std::optional<std::vector<double>> numbers(std::string_view key, std::size_t min_size,
+                                               std::size_t max_size);
+    std::optional<Section> section(std::string_view key);
+    /// `[[key]]` or `key = [{…}]`; empty when absent.
+    std::vector<Section> sections(std::string_view key);
+
+    /// Reports `missing` when the key is absent. @return whether it is there
+    bool require(std::string_view key, std::string_view what);
+    void report(std::string_view key, std::string message);
+    void report_unknown_keys();
+
+private:
+    const toml::node* find(std::string_view key);
+    void report_type(std::string_view key, const toml::node& node, std::string_view wanted);
+
+    const toml::table* table_;
+    std::string path_, file_;
+    DiagnosticList* problems_;
+    std::set<std::string, std::less<>> known_;
+};
+
+}  // namespace nacre::material

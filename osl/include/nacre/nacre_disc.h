@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nacre/nacre_grating.h"
+#include "nacre/nacre_surface.h"
+#include "nacre/nacre_wavelength.h"
+
+// A reflecting disc with concentric tracks around the object's z axis.
+
+struct nacre_disc_tracks {
+    int profile;  // of the grooves, see nacre_grating
+    float pitch_nm;
+    float depth_nm;
+    float duty;
+    float cover_index;  // of what fills the grooves
+    int orders;
+    float strength;  // share of the diffracted light that is kept
+};
+
+// Unit vector across the tracks at P, tangential to the surface.
+vector nacre_across_tracks(normal n)
+{
+    vector radial = transform("object", P) - point(0.0);
+    radial[2] = 0.0;
+    vector across = transform("object", "world", radial);
+    return normalize(across - n * dot(n, across));
+}
+
+// Light crosses the grooves twice, under the cosine that it has inside the cover.
+nacre_grating nacre_disc_grating(nacre_disc_tracks disc, vector lateral, float wavelength_nm)
+{
+    float inside = sqrt(1.0 - dot(lateral, lateral) / (disc.cover_index * disc.cover_index));
+    float path_nm = 2.0 * disc.cover_index * disc.depth_nm * inside;
+    nacre_grating grating = { disc.profile, M_2PI * path_nm / wavelength_nm, disc.duty };
+    return grating;
+}
+
+// The mirror image needs no wavelength of its own: its colour is the weighted mean over cells,
+// every fourth of which is enough for a share that is this smooth.
+color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, float edges[],
+                        color weight[])
+{
+    color sum = 0.0;
+    color total = 0.0;
+    for (int i = 1; i < arraylength(weight); i += 4) {
+        float nm = 0.5 * (edges[i] + edges[i + 1]);
+        nacre_grating grating = nacre_disc_grating(disc, lateral, nm);
+        float share = nacre_efficiency(grating, 0)
+                      / nacre_propagating_share(grating, lateral, across, nm / disc.pitch_nm);
+        sum += weight[i] * (1.0 + disc.strength * (share - 1.0));
+        total += weight[i];
+    }
+    return sum / total;
+}
+
+// Every order is a mirror lobe around the normal that sends the path where the grating equation
+// wants it; `I` points to the viewer in Cycles. Sums run to the right, as `lobe + sum`: a long sum the
+// other way loses lobes.
+closure color nacre_disc_lobes(nacre_disc_tracks disc, normal n, float roughness, color tint,
+                               float edges[], color weight[])
+{
+    vector lateral = n * dot(n, I) - I;
+    vector across = nacre_across_tracks(n);
+    nacre_wavelength path = nacre_draw_wavelength(edges, weight, nacre_path_random());
+    float ratio = path.nm / disc.pitch_nm;
+    nacre_grating grating = nacre_disc_grating(disc, lateral, path.nm);
+    float scale = disc.strength / nacre_propagating_share(grating, lateral, across, ratio);
+
+    color mirror = tint * nacre_disc_mirror(disc, lateral, across, edges, weight);
+    closure color sum = nacre_reflection(n, mirror, roughness);
+    for (int m = -disc.orders; m <= disc.orders; m++) {
+        vector out = nacre_order_direction(lateral, across, ratio, m);
+        float lateral_squared = dot(out, out);
+        if (m == 0 || lateral_squared >= 1.0)
+            continue;
+        normal tilted = normalize(out + n * sqrt(1.0 - lateral_squared) + I);
+        color order_tint = path.weight * tint * (scale * nacre_efficiency(grating, m));
+        sum = nacre_reflection(tilted, order_tint, roughness) + sum;
+    }
+    return sum;
+}
