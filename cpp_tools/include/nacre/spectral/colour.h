@@ -67,6 +67,7 @@ struct ColourWeights {
     std::array<Sampled, 3> weight;
     std::string space, illuminant;
     ObserverId observer;
+    Mat3 to_xyz_d65;  ///< of the space: from what `apply` returns to XYZ, e.g. for ΔE00
 
     [[nodiscard]] Vec3 apply(const Sampled& reflectance) const noexcept;
 };
