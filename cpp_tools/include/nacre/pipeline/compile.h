@@ -22,6 +22,8 @@ struct CompileOptions {
     std::string illuminant = "D65";
     spectral::ObserverId observer = spectral::ObserverId::cie1931;
     std::string space = "lin_rec709_scene";
+    /// Instead of `space`: a scene-linear space that the library does not know by name.
+    std::optional<spectral::ColourSpace> custom_space;
     double tolerance = 0.1;  ///< ΔE00
     std::function<bool(double)> progress;
 };
