@@ -13,3 +13,12 @@ color nacre_table(string file, float x, float y, float width, float height, int 
     return (color)texture(file, s, origin_top ? t : 1.0 - t, 0.0, 0.0, 0.0, 0.0, "interp",
                           "linear", "wrap", "clamp");
 }
+
+// The colour of a film: as it was looked up outside, or from the table where one is named.
+color nacre_film_colour(string file, color given, float x, float y, float width, float height,
+                        int origin_top)
+{
+    if (file == "")
+        return given;
+    return nacre_table(file, x, y, width, height, origin_top);
+}

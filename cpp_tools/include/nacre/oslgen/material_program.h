@@ -18,10 +18,11 @@ namespace nacre::oslgen {
 struct Socket {
     std::string name;   ///< lives in saved files: never rename one
     std::string label;  ///< with the unit in it: `Thickness (nm)`
-    std::string type;   ///< `float`, `int`, `color`, `normal`
+    std::string type;   ///< `float`, `color`, `normal`
     std::string unit;   ///< `nm`, `1`, …
     std::string description;
-    double value = 0.0, min = 0.0, max = 1.0;  ///< of float and int
+    double value = 0.0, min = 0.0, max = 1.0;  ///< of float
+    std::array<double, 3> colour{1.0, 1.0, 1.0};  ///< default of color
 };
 
 /// What the generator must know of a table that the pipeline bakes.
@@ -31,8 +32,10 @@ struct TableInfo {
         std::string name, unit;
         double min, max;
         int texels;
-    } x, y;
+    };
+    Axis x, y;
     double error_max, error_mean;
+    double lowest;  ///< of all texels and channels; below 0 where a colour is out of the gamut
 };
 
 /// λ(u) and its weights, see spectral/wavelength_sampling.h (oslgen does not see that module).
@@ -41,15 +44,28 @@ struct WavelengthTable {
     std::vector<std::array<double, 3>> weight;
 };
 
+/// n(λ) of a glass at equally spaced knots, between which the shader draws cubics.
+struct GlassIndex {
+    double first_nm, step_nm;
+    std::vector<double> knots;
+    std::array<double, 3> mean_rgb;  ///< mean of n over wavelength with the weight of each channel
+    double n_F, n_d, n_C;
+};
+
+/// What the shader of a grating needs beyond the template.
+struct GratingColours {
+    std::array<double, 3> tint;  ///< reflectance of the metal under its cover
+    double cover_index;          ///< at the d line
+};
+
 /// All that the pipeline found out about a template.
 struct Context {
     const material::MaterialTemplate* source = nullptr;
-    std::vector<TableInfo> tables;  ///< of films
-    std::optional<WavelengthTable> wavelengths;      ///< of gratings and glasses
-    std::vector<double> index_edges_nm, index_n;     ///< of glasses: n(λ) at knots, or a formula
+    std::vector<TableInfo> tables;               ///< of films
+    std::optional<WavelengthTable> wavelengths;  ///< of gratings and glasses
+    std::optional<GlassIndex> glass;
+    std::optional<GratingColours> grating;
     std::string space, illuminant, observer;
-    double substrate_reflectance[3] = {1, 1, 1};     ///< of gratings: RGB of the metal under the cover
-    double cover_index = 1.0;                        ///< of gratings
 };
 
 /// The material's program: everything but the tables' texels.
@@ -59,6 +75,9 @@ struct MaterialProgram {
 };
 
 [[nodiscard]] MaterialProgram generate(const Context& context);
+
+/// In the order in which an artist sees them.
+[[nodiscard]] std::vector<Socket> sockets(const Context& context);
 
 /// Replaces `#include "nacre/…"` by the embedded header's text, each header once.
 /// @throws InputError for a header that is not there.

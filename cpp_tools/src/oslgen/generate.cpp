@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <variant>
+
+#include "graph.h"
+#include "nacre/core/version.h"
+#include "nacre/oslgen/material_program.h"
+#include "shader_text.h"
+
+namespace nacre::oslgen {
+namespace {
+
+using Json = nlohmann::json;
+
+Json socket_entry(const Socket& socket)
+{
+    Json entry{{"name", socket.name},
+               {"label", socket.label},
+               {"type", socket.type},
+               {"unit", socket.unit},
+               {"description", socket.description}};
+    if (socket.type == "color")
+        entry["default"] = socket.colour;
+    if (socket.type == "float") {
+        entry["default"] = socket.value;
+        entry["min"] = socket.min;
+        entry["max"] = socket.max;
+    }
+    return entry;
+}
+
+Json axis_entry(const TableInfo::Axis& axis)
+{
+    return {{"name", axis.name}, {"unit", axis.unit}, {"min", axis.min}, {"max", axis.max},
+            {"mapping", "linear"}};
+}
+
+Json table_entry(const TableInfo& table)
+{
+    return {{"name", table.name},
+            {"file", table.file},
+            {"quantity", table.quantity},
+            {"width", table.x.texels},
+            {"height", table.y.texels},
+            {"axes", {axis_entry(table.x), axis_entry(table.y)}},
+            {"error", {{"max", table.error_max}, {"mean", table.error_mean}, {"unit", "dE00"}}}};
+}
+
+Json gamut_entry(const Context& context)
+{
+    double lowest = 0.0;
+    for (const TableInfo& table : context.tables)
+        lowest = std::min(lowest, table.lowest);
+    return {{"negative", lowest < 0.0}, {"lowest", lowest}};
+}
+
+std::string kind_name(const Context& context)
+{
+    constexpr std::array<const char*, 3> kNames{"film", "grating", "glass"};
+    return kNames[context.source->kind.index()];
+}
+
+Json manifest(const Context& context)
+{
+    const material::MaterialTemplate& source = *context.source;
+    Json result{{"schema", 1},
+                {"id", source.id},
+                {"name", source.name},
+                {"kind", kind_name(context)},
+                {"category", source.category},
+                {"description", source.description},
+                {"source", source.source},
+                {"template_sha256", source.sha256},
+                {"tool_version", version()},
+                {"space", context.space},
+                {"illuminant", context.illuminant},
+                {"observer", context.observer},
+                {"wavelength_per_path", context.wavelengths.has_value()},
+                {"gamut", gamut_entry(context)},
+                {"sockets", Json::array()},
+                {"tables", Json::array()},
+                {"graphs", {{"osl", osl_graph(context)}, {"nodes", node_graph(context)}}}};
+    for (const Socket& socket : sockets(context))
+        result["sockets"].push_back(socket_entry(socket));
+    for (const TableInfo& table : context.tables)
+        result["tables"].push_back(table_entry(table));
+    if (context.glass)
+        result["glass"] = {{"lines",
+                            {{"F", context.glass->n_F},
+                             {"d", context.glass->n_d},
+                             {"C", context.glass->n_C}}}};
+    if (const auto* grating = std::get_if<material::GratingSpec>(&source.kind))
+        result["grating"] = {{"pitch_nm", grating->pitch_nm.value}, {"orders", grating->orders}};
+    return result;
+}
+
+}  // namespace
+
+MaterialProgram generate(const Context& context)
+{
+    return {.osl = inline_includes(shader_text(context), context.source->id + ".osl"),
+            .manifest = manifest(context).dump(2) + "\n"};
+}
+
+}  // namespace nacre::oslgen

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/core/resources.h"
+#include "nacre/oslgen/material_program.h"
+
+namespace nacre::oslgen {
+namespace {
+
+constexpr std::string_view kInclude = "#include \"nacre/";
+
+/// The header's path below `osl/`, or nothing where the line includes none of ours.
+std::string included_header(std::string_view line)
+{
+    if (!line.starts_with(kInclude) || !line.ends_with('"'))
+        return {};
+    line.remove_prefix(std::string_view("#include \"").size());
+    line.remove_suffix(1);
+    return std::string(line);
+}
+
+/// The two lines of the licence stand once, at the top of the result.
+bool is_repeated(std::string_view line)
+{
+    return line == "#pragma once" || line.starts_with("// SPDX-");
+}
+
+void append(std::string_view text, const std::string& name, std::set<std::string>& seen,
+            std::string& result)
+{
+    std::istringstream lines{std::string(text)};
+    int number = 0;
+    for (std::string line; std::getline(lines, line);) {
+        ++number;
+        const std::string header = included_header(line);
+        if (header.empty()) {
+            if (!is_repeated(line))
+                result += line + '\n';
+            continue;
+        }
+        if (!seen.insert(header).second)
+            continue;
+        const auto content = find_resource("osl/" + header);
+        if (!content)
+            throw InputError(
+                Diagnostic{name, number, "", fmt::format("no such header: {}", header)});
+        append(*content, header, seen, result);
+    }
+}
+
+}  // namespace
+
+std::string inline_includes(const std::string& osl, const std::string& name)
+{
+    std::string result =
+        "// SPDX-FileCopyrightText: Nacre contributors\n"
+        "// SPDX-License-Identifier: BSD-3-Clause\n";
+    std::set<std::string> seen;
+    append(osl, name, seen, result);
+    return result;
+}
+
+}  // namespace nacre::oslgen
