@@ -18,14 +18,13 @@ constexpr Bounds kThickness{0.0, kMaxThicknessNm};
 void check_range(Section& table, std::optional<double> value, const Quantity& quantity)
 {
     if (quantity.min && quantity.max && *quantity.min >= *quantity.max) {
-        table.report("min", fmt::format("must be below max (got {} and {})", *quantity.min,
-                                        *quantity.max));
+        table.report(
+            "min", fmt::format("must be below max (got {} and {})", *quantity.min, *quantity.max));
         return;
     }
     const bool outside = value && ((quantity.min && *value < *quantity.min) ||
                                    (quantity.max && *value > *quantity.max));
-    if (outside)
-        table.report("default", fmt::format("must be inside [min, max] (got {})", *value));
+    if (outside) table.report("default", fmt::format("must be inside [min, max] (got {})", *value));
 }
 
 /// A table { default, min, max, varies }; `slider` means that min and max must be there.
@@ -35,8 +34,7 @@ Quantity read_range(Section& table, const Bounds& bounds, bool slider)
     result.line = table.line();
     table.require("default", "a number");
     const auto value = table.number("default", bounds);
-    if (!slider)
-        slider = result.varies = table.boolean("varies").value_or(false);
+    if (!slider) slider = result.varies = table.boolean("varies").value_or(false);
     if (slider) {
         table.require("min", "a number, since the value is a slider");
         table.require("max", "a number, since the value is a slider");
@@ -78,8 +76,7 @@ SellmeierMedium read_sellmeier(Section& section)
 {
     SellmeierMedium result;
     auto table = section.section("sellmeier");
-    if (!table)
-        return result;
+    if (!table) return result;
     table->require("b", "an array of numbers");
     table->require("c", "an array of numbers, µm²");
     result.b = table->numbers("b", 1, 6).value_or(std::vector<double>{});
@@ -95,8 +92,7 @@ AbbeMedium read_abbe(Section& section)
 {
     AbbeMedium result;
     auto table = section.section("abbe");
-    if (!table)
-        return result;
+    if (!table) return result;
     table->require("n_d", "a number > 0");
     table->require("v_d", "a number > 0");
     result.n_d = table->number("n_d", {.min = 0.0, .exclusive_min = true}).value_or(1.5);
@@ -124,10 +120,8 @@ void read_group(Section& section, std::vector<LayerSpec>& layers)
 {
     const int repeat = section.integer("repeat", 1, kMaxLayers).value_or(1);
     std::vector<LayerSpec> group;
-    for (Section& layer : section.sections("group"))
-        group.push_back(read_layer(layer, true));
-    if (group.empty())
-        section.report("group", "must hold at least one layer");
+    for (Section& layer : section.sections("group")) group.push_back(read_layer(layer, true));
+    if (group.empty()) section.report("group", "must hold at least one layer");
     // One more than allowed is enough to report too many.
     for (int i = 0; i < repeat && layers.size() <= kMaxLayers; ++i)
         layers.insert(layers.end(), group.begin(), group.end());
@@ -156,8 +150,7 @@ std::vector<LayerSpec> read_layers(Section& root)
 void read_scale(Section& root, StackSpec& stack)
 {
     auto section = root.section("stack");
-    if (!section)
-        return;
+    if (!section) return;
     section->require("scale", "a table { default, min, max }");
     if (auto scale = section->section("scale"))
         stack.scale = read_range(*scale, {.min = 0.0, .max = 100.0}, true);
@@ -170,10 +163,8 @@ void read_scale(Section& root, StackSpec& stack)
 
 bool absorbs(const MediumSpec& medium)
 {
-    if (const auto* constant = std::get_if<ConstantMedium>(&medium.value))
-        return constant->k > 0.0;
-    if (const auto* cauchy = std::get_if<CauchyMedium>(&medium.value))
-        return cauchy->k > 0.0;
+    if (const auto* constant = std::get_if<ConstantMedium>(&medium.value)) return constant->k > 0.0;
+    if (const auto* cauchy = std::get_if<CauchyMedium>(&medium.value)) return cauchy->k > 0.0;
     return false;
 }
 
@@ -184,8 +175,7 @@ StackSpec read_stack(Section& root)
     stack.layers = read_layers(root);
     stack.substrate = read_medium_at(root, "substrate");
     read_scale(root, stack);
-    if (absorbs(stack.ambient))
-        root.report("ambient", "must not absorb: k must be 0");
+    if (absorbs(stack.ambient)) root.report("ambient", "must not absorb: k must be 0");
     return stack;
 }
 
@@ -211,8 +201,7 @@ GratingSpec read_grating(Section& section)
     result.orders = section.integer("orders", 1, kMaxOrders).value_or(3);
     result.cover = read_medium_at(section, "cover");
     result.substrate = read_medium_at(section, "substrate");
-    if (absorbs(result.cover))
-        section.report("cover", "must not absorb: k must be 0");
+    if (absorbs(result.cover)) section.report("cover", "must not absorb: k must be 0");
     section.report_unknown_keys();
     return result;
 }
@@ -220,8 +209,7 @@ GratingSpec read_grating(Section& section)
 GlassSpec read_glass(Section& section)
 {
     GlassSpec result{read_medium(section)};
-    if (absorbs(result.medium))
-        section.report("k", "must be 0: the glass is clear");
+    if (absorbs(result.medium)) section.report("k", "must be 0: the glass is clear");
     section.report_unknown_keys();
     return result;
 }
@@ -238,8 +226,8 @@ MediumSpec read_medium(Section& section)
     result.line = section.line(form);
     result.field = section.field(form);
     if (std::ranges::count_if(kForms, given) != 1)
-        section.report(form, fmt::format("must be given by exactly one of {}",
-                                         fmt::join(kForms, ", ")));
+        section.report(form,
+                       fmt::format("must be given by exactly one of {}", fmt::join(kForms, ", ")));
 
     constexpr Bounds kIndex{.min = 0.0, .max = 100.0, .exclusive_min = true};
     const auto key = section.text("medium");
@@ -268,10 +256,8 @@ std::variant<StackSpec, GratingSpec, GlassSpec> read_kind(Section& root)
     auto glass = root.section("glass");
     if (root.has("grating") && root.has("glass"))
         root.report("glass", "excludes [grating]: a material is of one kind");
-    if (root.has("grating"))
-        return grating ? read_grating(*grating) : GratingSpec{};
-    if (root.has("glass"))
-        return glass ? read_glass(*glass) : GlassSpec{};
+    if (root.has("grating")) return grating ? read_grating(*grating) : GratingSpec{};
+    if (root.has("glass")) return glass ? read_glass(*glass) : GlassSpec{};
     return read_stack(root);
 }
 

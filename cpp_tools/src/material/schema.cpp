@@ -49,9 +49,9 @@ Json medium_properties()
     Json sellmeier = object({{"b", sellmeier_terms}, {"c", sellmeier_terms}}, {"b", "c"});
     sellmeier["description"] = "n² − 1 = Σ b λ²/(λ² − c), λ in µm, c in µm²";
     const Json positive{{"exclusiveMinimum", 0}};
-    Json abbe = object({{"n_d", number(positive, "index at 587.56 nm")},
-                        {"v_d", number(positive, "Abbe number")}},
-                       {"n_d", "v_d"});
+    Json abbe = object(
+        {{"n_d", number(positive, "index at 587.56 nm")}, {"v_d", number(positive, "Abbe number")}},
+        {"n_d", "v_d"});
     return {{"medium", text("key of the library, as `nacre library list` shows it")},
             {"n", number({{"exclusiveMinimum", 0}, {"maximum", 100}}, "constant index")},
             {"k", number({{"minimum", 0}, {"maximum", 100}}, "absorption, with n or cauchy")},
@@ -92,7 +92,8 @@ Json range(const Json& bounds, bool may_vary, Json required)
 Json layer_schema()
 {
     const Json bounds{{"minimum", 0}, {"maximum", 1e8}};
-    Json thickness{{"oneOf", Json::array({number(bounds, "nm"), range(bounds, true, {"default"})})}};
+    Json thickness{
+        {"oneOf", Json::array({number(bounds, "nm"), range(bounds, true, {"default"})})}};
     Json coherent{{"type", "boolean"}, {"description", "false: fringes average out"}};
     return medium_object({{"thickness_nm", thickness}, {"coherent", coherent}}, {"thickness_nm"});
 }
@@ -100,24 +101,23 @@ Json layer_schema()
 Json group_schema()
 {
     return object({{"repeat", {{"type", "integer"}, {"minimum", 1}, {"maximum", kMaxLayers}}},
-                   {"group",
-                    {{"type", "array"}, {"minItems", 1}, {"items", reference("layer")}}}},
+                   {"group", {{"type", "array"}, {"minItems", 1}, {"items", reference("layer")}}}},
                   {"group"});
 }
 
 Json grating_schema()
 {
     const Json pitch{{"minimum", 100}, {"maximum", 1e6}};
-    return object(
-        {{"pitch_nm", {{"oneOf", Json::array({number(pitch, "period, nm"),
-                                              range(pitch, false, {"default", "min", "max"})})}}},
-         {"depth_nm", number({{"minimum", 0}, {"maximum", 1e5}}, "groove depth, nm")},
-         {"profile", {{"enum", {"sinusoidal", "rectangular", "blazed"}}}},
-         {"duty", number({{"minimum", 0}, {"maximum", 1}}, "raised share of the period")},
-         {"orders", {{"type", "integer"}, {"minimum", 1}, {"maximum", 9}}},
-         {"cover", reference("medium")},
-         {"substrate", reference("medium")}},
-        {"pitch_nm", "depth_nm", "profile", "cover", "substrate"});
+    return object({{"pitch_nm",
+                    {{"oneOf", Json::array({number(pitch, "period, nm"),
+                                            range(pitch, false, {"default", "min", "max"})})}}},
+                   {"depth_nm", number({{"minimum", 0}, {"maximum", 1e5}}, "groove depth, nm")},
+                   {"profile", {{"enum", {"sinusoidal", "rectangular", "blazed"}}}},
+                   {"duty", number({{"minimum", 0}, {"maximum", 1}}, "raised share of the period")},
+                   {"orders", {{"type", "integer"}, {"minimum", 1}, {"maximum", 9}}},
+                   {"cover", reference("medium")},
+                   {"substrate", reference("medium")}},
+                  {"pitch_nm", "depth_nm", "profile", "cover", "substrate"});
 }
 
 Json material_schema()
@@ -133,14 +133,13 @@ Json material_schema()
 Json parameter_schema()
 {
     const Json bounds{{"minimum", 0}, {"maximum", 10}};
-    return object(
-        {{"name", {{"enum", {"coverage", "dispersion", "roughness", "strength"}}}},
-         {"label", text("as the artist reads it")},
-         {"description", text("tooltip")},
-         {"default", number(bounds, "value of a fresh material")},
-         {"min", number(bounds, "lowest value of the slider, 0")},
-         {"max", number(bounds, "highest value of the slider, 1")}},
-        {"name", "label", "default"});
+    return object({{"name", {{"enum", {"coverage", "dispersion", "roughness", "strength"}}}},
+                   {"label", text("as the artist reads it")},
+                   {"description", text("tooltip")},
+                   {"default", number(bounds, "value of a fresh material")},
+                   {"min", number(bounds, "lowest value of the slider, 0")},
+                   {"max", number(bounds, "highest value of the slider, 1")}},
+                  {"name", "label", "default"});
 }
 
 }  // namespace
@@ -148,8 +147,9 @@ Json parameter_schema()
 std::string template_json_schema()
 {
     const Json scale = range({{"minimum", 0}, {"maximum", 100}}, false, {"default", "min", "max"});
-    const Json layers{{"type", "array"},
-                      {"items", {{"oneOf", Json::array({reference("layer"), reference("group")})}}}};
+    const Json layers{
+        {"type", "array"},
+        {"items", {{"oneOf", Json::array({reference("layer"), reference("group")})}}}};
     Json root = object(
         {{"schema", {{"const", 1}}},
          {"material", material_schema()},

@@ -31,16 +31,15 @@ std::string required_text(Section& section, std::string_view key)
 
 void read_material(Section& root, MaterialTemplate& result)
 {
-    if (!root.require("material", "a table [material] with id, name, category, source"))
-        return;
+    if (!root.require("material", "a table [material] with id, name, category, source")) return;
     auto section = root.section("material");
-    if (!section)
-        return;
+    if (!section) return;
     result.id = required_text(*section, "id");
     if (!result.id.empty() && !is_file_name_safe(result.id))
-        section->report("id", fmt::format("must be a to z, 0 to 9 and _, start with a letter and be "
-                                          "at most 63 characters long (got \"{}\")",
-                                          result.id));
+        section->report("id",
+                        fmt::format("must be a to z, 0 to 9 and _, start with a letter and be "
+                                    "at most 63 characters long (got \"{}\")",
+                                    result.id));
     result.name = required_text(*section, "name");
     result.category = required_text(*section, "category");
     result.source = required_text(*section, "source");
@@ -51,8 +50,7 @@ void read_material(Section& root, MaterialTemplate& result)
 void read_surface(Section& root, MaterialTemplate& result)
 {
     auto section = root.section("surface");
-    if (!section)
-        return;
+    if (!section) return;
     result.surface.roughness = section->number("roughness", {0.0, 1.0}).value_or(0.0);
     if (std::holds_alternative<StackSpec>(result.kind))
         result.surface.transmission = section->boolean("transmission").value_or(false);
@@ -65,16 +63,15 @@ void check_transmission(Section& root, const MaterialTemplate& result)
     if (!stack || !result.surface.transmission || !root.has("ambient") || !root.has("substrate"))
         return;
     if (stack->ambient.value != stack->substrate.value)
-        root.report("surface", "transmission: needs a substrate that is the same medium as the "
-                               "ambient: a thin-walled film lets light pass straight on");
+        root.report("surface",
+                    "transmission: needs a substrate that is the same medium as the "
+                    "ambient: a thin-walled film lets light pass straight on");
 }
 
 std::vector<std::string_view> known_parameters(const MaterialTemplate& result)
 {
-    if (std::holds_alternative<StackSpec>(result.kind))
-        return {"coverage", "roughness"};
-    if (std::holds_alternative<GratingSpec>(result.kind))
-        return {"roughness", "strength"};
+    if (std::holds_alternative<StackSpec>(result.kind)) return {"coverage", "roughness"};
+    if (std::holds_alternative<GratingSpec>(result.kind)) return {"roughness", "strength"};
     return {"dispersion", "roughness"};
 }
 
@@ -104,8 +101,8 @@ void read_parameter(Section& section, MaterialTemplate& result)
     parameter.min = section.number("min", bounds).value_or(0.0);
     parameter.max = section.number("max", bounds).value_or(1.0);
     if (parameter.min >= parameter.max)
-        section.report("min", fmt::format("must be below max (got {} and {})", parameter.min,
-                                          parameter.max));
+        section.report(
+            "min", fmt::format("must be below max (got {} and {})", parameter.min, parameter.max));
     else if (value && (*value < parameter.min || *value > parameter.max))
         section.report("default", fmt::format("must be in [{}, {}] (got {})", parameter.min,
                                               parameter.max, *value));
@@ -122,8 +119,7 @@ void read_template(Section& root, MaterialTemplate& result)
     result.kind = read_kind(root);
     read_surface(root, result);
     check_transmission(root, result);
-    for (Section& section : root.sections("parameter"))
-        read_parameter(section, result);
+    for (Section& section : root.sections("parameter")) read_parameter(section, result);
     root.report_unknown_keys();
 }
 
@@ -133,8 +129,7 @@ std::optional<std::size_t> StackSpec::varying_layer() const
 {
     const auto it = std::ranges::find_if(
         layers, [](const LayerSpec& layer) { return layer.thickness_nm.varies; });
-    if (it == layers.end())
-        return std::nullopt;
+    if (it == layers.end()) return std::nullopt;
     return static_cast<std::size_t>(it - layers.begin());
 }
 

@@ -13,13 +13,20 @@ namespace {
 std::string_view type_name(const toml::node& node)
 {
     switch (node.type()) {
-        case toml::node_type::table: return "a table";
-        case toml::node_type::array: return "an array";
-        case toml::node_type::string: return "a string";
-        case toml::node_type::integer: return "an integer";
-        case toml::node_type::floating_point: return "a number";
-        case toml::node_type::boolean: return "a boolean";
-        default: return "a date or time";
+        case toml::node_type::table:
+            return "a table";
+        case toml::node_type::array:
+            return "an array";
+        case toml::node_type::string:
+            return "a string";
+        case toml::node_type::integer:
+            return "an integer";
+        case toml::node_type::floating_point:
+            return "a number";
+        case toml::node_type::boolean:
+            return "a boolean";
+        default:
+            return "a date or time";
     }
 }
 
@@ -48,10 +55,8 @@ std::string Bounds::text() const
     const bool low = std::isfinite(min), high = std::isfinite(max);
     if (low && high)
         return fmt::format("must be in {}{}, {}]", exclusive_min ? '(' : '[', min, max);
-    if (low)
-        return fmt::format("must be {} {}", exclusive_min ? ">" : "≥", min);
-    if (high)
-        return fmt::format("must be ≤ {}", max);
+    if (low) return fmt::format("must be {} {}", exclusive_min ? ">" : "≥", min);
+    if (high) return fmt::format("must be ≤ {}", max);
     return "must be finite";
 }
 
@@ -74,8 +79,7 @@ int Section::line(std::string_view key) const
 
 std::string Section::field(std::string_view key) const
 {
-    if (path_.empty())
-        return std::string(key);
+    if (path_.empty()) return std::string(key);
     return key.empty() ? path_ : fmt::format("{}.{}", path_, key);
 }
 
@@ -92,8 +96,7 @@ void Section::report_type(std::string_view key, const toml::node& node, std::str
 bool Section::require(std::string_view key, std::string_view what)
 {
     known_.emplace(key);
-    if (has(key))
-        return true;
+    if (has(key)) return true;
     report(key, fmt::format("missing; must be {}", what));
     return false;
 }
@@ -107,8 +110,7 @@ const toml::node* Section::find(std::string_view key)
 std::optional<double> Section::number(std::string_view key, const Bounds& bounds)
 {
     const toml::node* node = find(key);
-    if (!node)
-        return std::nullopt;
+    if (!node) return std::nullopt;
     if (!node->is_number()) {
         report_type(key, *node, "a number");
         return std::nullopt;
@@ -124,8 +126,7 @@ std::optional<double> Section::number(std::string_view key, const Bounds& bounds
 std::optional<int> Section::integer(std::string_view key, int min, int max)
 {
     const toml::node* node = find(key);
-    if (!node)
-        return std::nullopt;
+    if (!node) return std::nullopt;
     if (!node->is_integer()) {
         report_type(key, *node, "an integer");
         return std::nullopt;
@@ -141,8 +142,7 @@ std::optional<int> Section::integer(std::string_view key, int min, int max)
 std::optional<std::string> Section::text(std::string_view key)
 {
     const toml::node* node = find(key);
-    if (!node)
-        return std::nullopt;
+    if (!node) return std::nullopt;
     if (!node->is_string()) {
         report_type(key, *node, "a string");
         return std::nullopt;
@@ -158,8 +158,7 @@ std::optional<std::string> Section::text(std::string_view key)
 std::optional<bool> Section::boolean(std::string_view key)
 {
     const toml::node* node = find(key);
-    if (!node)
-        return std::nullopt;
+    if (!node) return std::nullopt;
     if (!node->is_boolean()) {
         report_type(key, *node, "true or false");
         return std::nullopt;
@@ -171,8 +170,7 @@ std::optional<std::vector<double>> Section::numbers(std::string_view key, std::s
                                                     std::size_t max_size)
 {
     const toml::node* node = find(key);
-    if (!node)
-        return std::nullopt;
+    if (!node) return std::nullopt;
     const toml::array* array = node->as_array();
     if (!array) {
         report_type(key, *node, "an array of numbers");
@@ -192,8 +190,7 @@ std::optional<std::vector<double>> Section::numbers(std::string_view key, std::s
 std::optional<Section> Section::section(std::string_view key)
 {
     const toml::node* node = find(key);
-    if (!node)
-        return std::nullopt;
+    if (!node) return std::nullopt;
     const toml::table* table = node->as_table();
     if (!table) {
         report_type(key, *node, "a table");
@@ -205,8 +202,7 @@ std::optional<Section> Section::section(std::string_view key)
 std::vector<Section> Section::sections(std::string_view key)
 {
     const toml::node* node = find(key);
-    if (!node)
-        return {};
+    if (!node) return {};
     const toml::array* array = node->as_array();
     if (!array) {
         report(key, fmt::format("must be an array of tables, written [[{}]] (got {})", key,
@@ -229,8 +225,7 @@ std::vector<Section> Section::sections(std::string_view key)
 void Section::report_unknown_keys()
 {
     for (const auto& [key, node] : *table_) {
-        if (known_.contains(key.str()))
-            continue;
+        if (known_.contains(key.str())) continue;
         problems_->add({file_, static_cast<int>(key.source().begin.line), field(key.str()),
                         fmt::format("unknown key; allowed here: {}", fmt::join(known_, ", "))});
     }

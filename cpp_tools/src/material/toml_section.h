@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <toml++/toml.h>
 #include <limits>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
-#include <toml++/toml.h>
 #include <vector>
 
 #include "nacre/core/diagnostics.h"
@@ -32,7 +32,9 @@ struct Bounds {
 class Section {
 public:
     Section(const toml::table& table, std::string path, std::string file, DiagnosticList& problems)
-        : table_(&table), path_(std::move(path)), file_(std::move(file)), problems_(&problems) {}
+        : table_(&table), path_(std::move(path)), file_(std::move(file)), problems_(&problems)
+    {
+    }
 
     [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
     [[nodiscard]] bool is_table(std::string_view key) const;

@@ -21,8 +21,7 @@ Json socket_entry(const Socket& socket)
                {"type", socket.type},
                {"unit", socket.unit},
                {"description", socket.description}};
-    if (socket.type == "color")
-        entry["default"] = socket.colour;
+    if (socket.type == "color") entry["default"] = socket.colour;
     if (socket.type == "float") {
         entry["default"] = socket.value;
         entry["min"] = socket.min;
@@ -33,7 +32,10 @@ Json socket_entry(const Socket& socket)
 
 Json axis_entry(const TableInfo::Axis& axis)
 {
-    return {{"name", axis.name}, {"unit", axis.unit}, {"min", axis.min}, {"max", axis.max},
+    return {{"name", axis.name},
+            {"unit", axis.unit},
+            {"min", axis.min},
+            {"max", axis.max},
             {"mapping", "linear"}};
 }
 
@@ -51,8 +53,7 @@ Json table_entry(const TableInfo& table)
 Json gamut_entry(const Context& context)
 {
     double lowest = 0.0;
-    for (const TableInfo& table : context.tables)
-        lowest = std::min(lowest, table.lowest);
+    for (const TableInfo& table : context.tables) lowest = std::min(lowest, table.lowest);
     return {{"negative", lowest < 0.0}, {"lowest", lowest}};
 }
 
@@ -82,15 +83,12 @@ Json manifest(const Context& context)
                 {"sockets", Json::array()},
                 {"tables", Json::array()},
                 {"graphs", {{"osl", osl_graph(context)}, {"nodes", node_graph(context)}}}};
-    for (const Socket& socket : sockets(context))
-        result["sockets"].push_back(socket_entry(socket));
-    for (const TableInfo& table : context.tables)
-        result["tables"].push_back(table_entry(table));
+    for (const Socket& socket : sockets(context)) result["sockets"].push_back(socket_entry(socket));
+    for (const TableInfo& table : context.tables) result["tables"].push_back(table_entry(table));
     if (context.glass)
-        result["glass"] = {{"lines",
-                            {{"F", context.glass->n_F},
-                             {"d", context.glass->n_d},
-                             {"C", context.glass->n_C}}}};
+        result["glass"] = {
+            {"lines",
+             {{"F", context.glass->n_F}, {"d", context.glass->n_d}, {"C", context.glass->n_C}}}};
     if (const auto* grating = std::get_if<material::GratingSpec>(&source.kind))
         result["grating"] = {{"pitch_nm", grating->pitch_nm.value}, {"orders", grating->orders}};
     return result;

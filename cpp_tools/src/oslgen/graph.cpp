@@ -21,10 +21,8 @@ public:
               Json values = Json::object())
     {
         Json entry{{"id", std::move(id)}, {"type", std::move(type)}};
-        if (!properties.empty())
-            entry["properties"] = std::move(properties);
-        if (!values.empty())
-            entry["values"] = std::move(values);
+        if (!properties.empty()) entry["properties"] = std::move(properties);
+        if (!values.empty()) entry["values"] = std::move(values);
         nodes_.push_back(std::move(entry));
     }
 
@@ -64,8 +62,8 @@ void add_cosine(Graph& graph)
     graph.link("dot.Value", "cos.0");
 }
 
-/// u and v that put the ends of both axes on the centres of the edge texels; beyond them the image's
-/// extension holds the edge.
+/// u and v that put the ends of both axes on the centres of the edge texels; beyond them the
+/// image's extension holds the edge.
 void add_coordinates(Graph& graph, const std::string& id, const TableInfo& table)
 {
     const double w = table.x.texels, h = table.y.texels;
@@ -89,8 +87,7 @@ void add_tables(Graph& graph, const Context& context)
     std::set<std::string> coordinates;
     for (const TableInfo& table : context.tables) {
         const std::string id = fmt::format("at_{}x{}", table.x.texels, table.y.texels);
-        if (coordinates.insert(id).second)
-            add_coordinates(graph, id, table);
+        if (coordinates.insert(id).second) add_coordinates(graph, id, table);
         graph.image(table.name);
         graph.link(id + "_uv.Vector", table.name + ".Vector");
     }
@@ -99,8 +96,7 @@ void add_tables(Graph& graph, const Context& context)
 /// Output socket with the colour of R or T, faded to the bare substrate by the coverage.
 std::string faded(Graph& graph, const Context& context, const std::string& name)
 {
-    if (!find_table(context, name + "_bare"))
-        return name + ".Color";
+    if (!find_table(context, name + "_bare")) return name + ".Color";
     const std::string mix = name + "_faded";
     graph.node(mix, "ShaderNodeMix", {{"data_type", "RGBA"}, {"blend_type", "MIX"}});
     graph.link("input.coverage", mix + ".Factor_Float");
@@ -147,8 +143,7 @@ Json glass_nodes(const Context& context)
 Json osl_graph(const Context& context)
 {
     Graph graph;
-    if (!context.tables.empty())
-        add_tables(graph, context);
+    if (!context.tables.empty()) add_tables(graph, context);
     graph.node("script", "ShaderNodeScript");
     for (const TableInfo& table : context.tables)
         graph.link(table.name + ".Color", fmt::format("script.{}_in", table.name));

@@ -18,8 +18,7 @@ constexpr std::string_view kInclude = "#include \"nacre/";
 /// The header's path below `osl/`, or nothing where the line includes none of ours.
 std::string included_header(std::string_view line)
 {
-    if (!line.starts_with(kInclude) || !line.ends_with('"'))
-        return {};
+    if (!line.starts_with(kInclude) || !line.ends_with('"')) return {};
     line.remove_prefix(std::string_view("#include \"").size());
     line.remove_suffix(1);
     return std::string(line);
@@ -40,12 +39,10 @@ void append(std::string_view text, const std::string& name, std::set<std::string
         ++number;
         const std::string header = included_header(line);
         if (header.empty()) {
-            if (!is_repeated(line))
-                result += line + '\n';
+            if (!is_repeated(line)) result += line + '\n';
             continue;
         }
-        if (!seen.insert(header).second)
-            continue;
+        if (!seen.insert(header).second) continue;
         const auto content = find_resource("osl/" + header);
         if (!content)
             throw InputError(

@@ -14,8 +14,7 @@ namespace {
 std::string literal(double value)
 {
     std::string text = fmt::format("{}", static_cast<float>(value));
-    if (text.find_first_of(".e") == std::string::npos)
-        text += ".0";
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
     return text;
 }
 
@@ -47,8 +46,7 @@ std::string quoted(std::string_view text)
 {
     std::string result = "\"";
     for (const char c : text) {
-        if (c == '"' || c == '\\')
-            result += '\\';
+        if (c == '"' || c == '\\') result += '\\';
         result += c;
     }
     return result + '"';
@@ -88,8 +86,8 @@ std::string film_parameters(const Context& context)
     }
     for (const TableInfo& table : context.tables) {
         result += fmt::format(",\n    string table_{} = \"\"", table.name);
-        result += metadata(table.name + " Table", "File of " + table.file +
-                                                       "; leave unlinked, renderers need a constant",
+        result += metadata(table.name + " Table",
+                           "File of " + table.file + "; leave unlinked, renderers need a constant",
                            ", string widget = \"filename\"");
     }
     result += ",\n    int table_origin_top = 1";
@@ -101,8 +99,8 @@ std::string film_parameters(const Context& context)
 std::string wavelength_parameters(const Context& context)
 {
     const WavelengthTable& table = context.wavelengths.value();
-    std::string result = fmt::format(",\n    float wavelength_edges[{}] = {}", table.edges_nm.size(),
-                                     array_literal(table.edges_nm));
+    std::string result = fmt::format(",\n    float wavelength_edges[{}] = {}",
+                                     table.edges_nm.size(), array_literal(table.edges_nm));
     result += metadata("Wavelength Edges", "Inverse CDF of the path's wavelength, nm", kHidden);
     result += fmt::format(",\n    color wavelength_weight[{}] = {}", table.weight.size(),
                           array_literal(table.weight));
@@ -118,9 +116,10 @@ std::string wavelength_parameters(const Context& context)
 std::string look_up(const TableInfo& table)
 {
     const std::string y = table.y.texels == 1 ? "0.0" : "y";
-    return fmt::format("nacre_film_colour(table_{0}, {0}_in, x, {1}, {2}.0, {3}.0, "
-                       "table_origin_top)",
-                       table.name, y, table.x.texels, table.y.texels);
+    return fmt::format(
+        "nacre_film_colour(table_{0}, {0}_in, x, {1}, {2}.0, {3}.0, "
+        "table_origin_top)",
+        table.name, y, table.x.texels, table.y.texels);
 }
 
 /// `color R = …;`, faded to the bare substrate where the material has coverage.
@@ -215,13 +214,14 @@ std::string shader_text(const Context& context)
     for (const Socket& socket : sockets(context))
         parameters += (parameters.empty() ? "" : ",\n") + parameter(socket);
     parameters += context.wavelengths ? wavelength_parameters(context) : film_parameters(context);
-    return fmt::format("{}\n"
-                       "// {}. Made by `nacre compile`; colours are in {}.\n"
-                       "shader nacre_{}"
-                       "\n[[ string label = {}, string help = {} ]]\n"
-                       "(\n{},\n    output closure color BSDF = 0\n)\n{{\n{}}}\n",
-                       includes(context), source.name, context.space, source.id,
-                       quoted(source.name), quoted(source.description), parameters, body(context));
+    return fmt::format(
+        "{}\n"
+        "// {}. Made by `nacre compile`; colours are in {}.\n"
+        "shader nacre_{}"
+        "\n[[ string label = {}, string help = {} ]]\n"
+        "(\n{},\n    output closure color BSDF = 0\n)\n{{\n{}}}\n",
+        includes(context), source.name, context.space, source.id, quoted(source.name),
+        quoted(source.description), parameters, body(context));
 }
 
 }  // namespace nacre::oslgen

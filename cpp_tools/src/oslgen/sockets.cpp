@@ -63,13 +63,15 @@ void add_grating(const GratingSpec& grating, const GratingColours& colours,
                       .description = "Colour of the reflecting metal",
                       .colour = colours.tint});
     result.push_back(share("strength", "Strength",
-                           "Share of the diffracted light; the rest stays in the mirror image", 1.0));
+                           "Share of the diffracted light; the rest stays in the mirror image",
+                           1.0));
 }
 
 void add_glass(std::vector<Socket>& result)
 {
-    Socket dispersion = share("dispersion", "Dispersion",
-                              "0: the index of the d line for every wavelength, 1: as measured", 1.0);
+    Socket dispersion =
+        share("dispersion", "Dispersion",
+              "0: the index of the d line for every wavelength, 1: as measured", 1.0);
     dispersion.max = 5.0;
     result.push_back(dispersion);
 }
@@ -79,11 +81,9 @@ void apply_parameters(const MaterialTemplate& source, std::vector<Socket>& resul
 {
     for (Socket& socket : result) {
         const material::ParameterSpec* parameter = source.parameter(socket.name);
-        if (!parameter)
-            continue;
+        if (!parameter) continue;
         socket.label = parameter->label;
-        if (!parameter->description.empty())
-            socket.description = parameter->description;
+        if (!parameter->description.empty()) socket.description = parameter->description;
         socket.value = parameter->value;
         socket.min = parameter->min;
         socket.max = parameter->max;

@@ -104,8 +104,8 @@ struct GlassSpec {
     MediumSpec medium;
 };
 
-/// `[[parameter]]`: a slider beyond what follows from the layers, or another label, range or default
-/// for one that every material of the kind has.
+/// `[[parameter]]`: a slider beyond what follows from the layers, or another label, range or
+/// default for one that every material of the kind has.
 ///   film     `coverage` (fades to the bare substrate; only where declared), `roughness`
 ///   grating  `strength`, `roughness`
 ///   glass    `dispersion`, `roughness`

@@ -21,7 +21,7 @@ struct Socket {
     std::string type;   ///< `float`, `color`, `normal`
     std::string unit;   ///< `nm`, `1`, …
     std::string description;
-    double value = 0.0, min = 0.0, max = 1.0;  ///< of float
+    double value = 0.0, min = 0.0, max = 1.0;     ///< of float
     std::array<double, 3> colour{1.0, 1.0, 1.0};  ///< default of color
 };
 

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/lut/film_table.h"
+#include "nacre/material/template.h"
+#include "nacre/spectral/optical_constants.h"
+
+namespace nacre::pipeline {
+
+/// Looks up the media of one template. Problems carry the template's file, line and field; they
+/// are collected, so that a user sees all of them.
+class MediaReader {
+public:
+    explicit MediaReader(std::string file) : file_(std::move(file)) {}
+
+    /// On the 1 nm grid; 1 where a problem was reported.
+    [[nodiscard]] lut::IndexOnGrid on_grid(const material::MediumSpec& spec);
+    /// The same for a medium that has to be clear; `max_k` is what still counts as clear.
+    [[nodiscard]] lut::IndexOnGrid clear_on_grid(const material::MediumSpec& spec, double max_k);
+    /// Null where a problem was reported.
+    [[nodiscard]] spectral::OpticalConstantsPtr constants(const material::MediumSpec& spec);
+
+    /// @throws InputError when anything was reported.
+    void throw_if_any() { problems_.throw_if_any(); }
+
+private:
+    void report(const material::MediumSpec& spec, const InputError& error);
+
+    std::string file_;
+    DiagnosticList problems_;
+};
+
+}  // namespace nacre::pipeline
