@@ -39,6 +39,7 @@ struct DiffractedOrder {
 /// Efficiencies: scalar theory (sinusoid J_m²(φ/2), rectangle, blaze sinc²), with the power of
 /// evanescent orders spread over the propagating ones in proportion, so that the sum over all
 /// orders stays 1.
+/// @throws InputError that names fields as `eval grating` does: `pitch_nm`, `profile.duty`, …
 [[nodiscard]] std::vector<DiffractedOrder> grating_orders(const Grating& grating,
                                                           const Direction& k_in,
                                                           double wavelength_nm, int first_order,
