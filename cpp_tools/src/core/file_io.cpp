@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/core/file_io.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstring>
+#include <string>
+#include <system_error>
+
+#include "nacre/core/diagnostics.h"
+#include "posix_file.h"
+
+namespace nacre {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+[[noreturn]] void throw_read_error(const fs::path& path, std::string message)
+{
+    throw InputError({.file = path.string(), .field = {}, .message = std::move(message)});
+}
+
+fs::path folder_of(const fs::path& file)
+{
+    return file.has_parent_path() ? file.parent_path() : fs::path(".");
+}
+
+/// The file that a link stands for. Devices and folders are refused: a rename would replace them.
+fs::path checked_target(const fs::path& path)
+{
+    std::error_code error;
+    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+    const fs::file_status status = fs::status(target, error);
+    if (fs::exists(status) && !fs::is_regular_file(status))
+        throw_read_error(path, fs::is_directory(status) ? "cannot be written: it is a folder"
+                                                        : "cannot be written: not a regular file");
+    return target;
+}
+
+/// A name in the target's folder that no other process and no other call uses.
+fs::path name_aside(const fs::path& target)
+{
+    static std::atomic<unsigned> counter{0};
+    const std::string unique =
+        std::to_string(::getpid()) + "-" + std::to_string(counter.fetch_add(1));
+    return folder_of(target) /
+           ("." + target.stem().string() + "." + unique + ".partial" + target.extension().string());
+}
+
+int create_new(const fs::path& path)
+{
+    return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+}
+
+void sync_folder(const fs::path& folder)
+{
+    const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    // Best effort: the rename is done, and some file systems cannot flush a folder.
+    if (directory.valid()) (void)::fsync(directory.get());
+}
+
+void rename_over(const fs::path& from, const fs::path& to)
+{
+    if (::rename(from.c_str(), to.c_str()) != 0) throw_write_error(to, errno);
+    sync_folder(folder_of(to));
+}
+
+}  // namespace
+
+std::string read_text(const fs::path& path, std::size_t limit)
+{
+    FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.valid())
+        throw_read_error(path, errno == ENOENT
+                                   ? std::string("there is no such file")
+                                   : std::string("cannot be read: ") + std::strerror(errno));
+    struct stat status {};
+    if (::fstat(file.get(), &status) == 0 && S_ISDIR(status.st_mode))
+        throw_read_error(path, "cannot be read: it is a folder");
+
+    // The size is counted while reading: pipes and /proc state none.
+    std::string text;
+    for (;;) {
+        constexpr std::size_t kStep = std::size_t{1} << 16;
+        const std::size_t before = text.size();
+        text.resize(before + kStep);
+        const ::ssize_t got = ::read(file.get(), text.data() + before, kStep);
+        text.resize(before + (got > 0 ? static_cast<std::size_t>(got) : 0));
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) throw_read_error(path, std::string("cannot be read: ") + std::strerror(errno));
+        if (got == 0) return text;
+        if (text.size() > limit)
+            throw_read_error(path, "must not be larger than " + std::to_string(limit) + " bytes");
+    }
+}
+
+void write_atomically(const fs::path& path, std::string_view bytes)
+{
+    AtomicFile file(path);
+    FileDescriptor out(::open(file.temporary().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
+    if (!out.valid()) throw_write_error(path, errno);
+    write_and_sync(out.get(), bytes, path);
+    if (!out.close()) throw_write_error(path, errno);
+    file.commit();
+}
+
+AtomicFile::AtomicFile(fs::path target) : target_(checked_target(target))
+{
+    // Created now, so that an unwritable folder is found before hours of work and not after.
+    int fd = -1;
+    do {
+        temporary_ = name_aside(target_);
+        fd = create_new(temporary_);
+    } while (fd < 0 && errno == EEXIST);
+    if (fd < 0) throw_write_error(target, errno);
+    (void)FileDescriptor(fd).close();
+}
+
+AtomicFile::~AtomicFile()
+{
+    if (!committed_) (void)::unlink(temporary_.c_str());
+}
+
+void AtomicFile::commit()
+{
+    // Whoever wrote the file has closed it, but perhaps not flushed it.
+    FileDescriptor file(::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.valid()) throw_write_error(target_, errno);
+    write_and_sync(file.get(), {}, target_);
+    rename_over(temporary_, target_);
+    committed_ = true;
+}
+
+}  // namespace nacre
