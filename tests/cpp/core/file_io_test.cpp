@@ -125,9 +125,13 @@ TEST_F(FileIo, OrdinaryUserCannotWriteIntoALockedFolder)
     constexpr ::uid_t kNobody = 65534;
     ::chmod(folder_.c_str(), 0555);
     const ::uid_t before = ::geteuid();
-    if (before == 0) ASSERT_EQ(::seteuid(kNobody), 0);  // root may write everywhere
+    if (before == 0) {  // root may write everywhere
+        ASSERT_EQ(::seteuid(kNobody), 0);
+    }
     EXPECT_INPUT_ERROR(write_atomically(folder_ / "file", "x"), "the folder is not writable");
-    if (before == 0) ASSERT_EQ(::seteuid(before), 0);
+    if (before == 0) {
+        ASSERT_EQ(::seteuid(before), 0);
+    }
     ::chmod(folder_.c_str(), 0755);
 }
 
