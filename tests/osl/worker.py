@@ -1,0 +1,193 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs one job inside a Python that has `bpy`: worker.py JOB.json RESULT.json."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import math
+import re
+import sys
+from pathlib import Path
+
+import bpy  # first: it brings `_cycles`
+import numpy as np
+
+import _cycles  # isort: skip
+
+SOCKETS = {
+    "closure color": "NodeSocketShader",
+    "color": "NodeSocketColor",
+    "float": "NodeSocketFloat",
+    "int": "NodeSocketInt",
+    "string": "NodeSocketString",
+    "normal": "NodeSocketVector",
+    "vector": "NodeSocketVector",
+}
+
+
+def compile_osl(text: str, folder: Path, name: str) -> str:
+    """The bytecode, as text."""
+    source = folder / f"{name}.osl"
+    target = folder / f"{name}.oso"
+    source.write_text(text, encoding="utf-8")
+    if not _cycles.osl_compile(str(source), str(target)):
+        raise SystemExit(f"{name}: does not compile")
+    return target.read_text(encoding="utf-8")
+
+
+def script_node(tree, oso: str, values: dict):
+    node = tree.nodes.new("ShaderNodeScript")
+    node.mode = "INTERNAL"
+    node.bytecode = oso
+    node.bytecode_hash = hashlib.md5(oso.encode()).hexdigest()
+    pattern = r"^(o?param)\t(closure color|\w+)\t(\w+)\t([^%\n]*)"
+    for kind, osl_type, name, default in re.findall(pattern, oso, re.M):
+        if osl_type not in SOCKETS:
+            continue
+        sockets = node.outputs if kind == "oparam" else node.inputs
+        socket = sockets.new(type=SOCKETS[osl_type], name=name, identifier=name)
+        if kind == "oparam" or osl_type == "normal":
+            continue
+        words = default.replace('"', "").split()
+        if osl_type == "string":
+            socket.default_value = values.get(name, words[0] if words else "")
+        elif osl_type == "color":
+            socket.default_value = [*values.get(name, map(float, words[:3])), 1.0]
+        else:
+            cast = int if osl_type == "int" else float
+            socket.default_value = values.get(name, cast(words[0]))
+    return node
+
+
+def new_scene(width: int, height: int, samples: int):
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    cycles = scene.cycles
+    cycles.device = "CPU"
+    cycles.shading_system = True
+    cycles.samples = samples
+    cycles.seed = 7
+    cycles.use_adaptive_sampling = False
+    cycles.use_denoising = False
+    cycles.pixel_filter_type = "BOX"
+    cycles.sample_clamp_indirect = 0.0
+    cycles.max_bounces = cycles.transmission_bounces = cycles.glossy_bounces = 64
+    scene.render.resolution_x = width
+    scene.render.resolution_y = height
+    scene.render.threads_mode = "FIXED"
+    scene.render.threads = 2
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.world = bpy.data.worlds.new("World")
+    scene.world.use_nodes = True
+    return scene
+
+
+def camera_at(scene, location, rotation, ortho_scale):
+    camera = bpy.data.cameras.new("Camera")
+    camera.type = "ORTHO"
+    camera.ortho_scale = ortho_scale
+    scene.camera = bpy.data.objects.new("Camera", camera)
+    scene.camera.location = location
+    scene.camera.rotation_euler = rotation
+    scene.collection.objects.link(scene.camera)
+
+
+def material_from(osl: str, folder: Path, values: dict):
+    material = bpy.data.materials.new("Probe")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    node = script_node(tree, compile_osl(osl, folder, "probe"), values)
+    tree.links.new(node.outputs[0], output.inputs["Surface"])
+    return material
+
+
+def pixels_of(scene, folder: Path) -> np.ndarray:
+    path = folder / "render.exr"
+    scene.render.filepath = str(path)
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(str(path))
+    image.colorspace_settings.name = "Non-Color"
+    width, height = image.size
+    values = np.empty(width * height * 4, dtype=np.float32)
+    image.pixels.foreach_get(values)
+    return values.reshape(height, width, 4)[::-1, :, :3]
+
+
+def save(pixels: np.ndarray, folder: Path) -> dict:
+    path = folder / "pixels.npy"
+    np.save(path, pixels)
+    return {"file": str(path)}
+
+
+def task_compile(job: dict, folder: Path) -> dict:
+    return {name: compile_osl(text, folder, name) for name, text in job["shaders"].items()}
+
+
+def task_values(job: dict, folder: Path) -> dict:
+    """One column for each value: unit squares along x, seen from above; 4 pixels is Blender's least."""
+    count = max(job["count"], 4)
+    scene = new_scene(count, 4, samples=1)
+    mesh = bpy.data.meshes.new("Strip")
+    corners = [(0, -2, 0), (count, -2, 0), (count, 2, 0), (0, 2, 0)]
+    mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+    mesh.materials.append(material_from(job["osl"], folder, {}))
+    scene.collection.objects.link(bpy.data.objects.new("Strip", mesh))
+    camera_at(scene, (count / 2, 0, 5), (0, 0, 0), ortho_scale=count)
+    return save(pixels_of(scene, folder)[0, : job["count"]], folder)
+
+
+def add_sphere(scene, material, offset=(0, 0, 0), radius=1.0):
+    bpy.ops.mesh.primitive_uv_sphere_add(
+        segments=128, ring_count=64, radius=radius, location=offset
+    )
+    sphere = bpy.context.object
+    sphere.data.polygons.foreach_set("use_smooth", [True] * len(sphere.data.polygons))
+    sphere.data.materials.append(material)
+
+
+def add_disc(scene, material):
+    bpy.ops.mesh.primitive_circle_add(vertices=256, radius=1.0, fill_type="NGON")
+    bpy.context.object.data.materials.append(material)
+
+
+def task_render(job: dict, folder: Path) -> dict:
+    """An object under a white world, or under one lamp in the dark, with a wavelength per path."""
+    scene = new_scene(job["width"], job["height"], job["samples"])
+    scene.render.use_motion_blur = job.get("motion_blur", True)
+    scene.render.motion_blur_shutter = 0.0
+    background = scene.world.node_tree.nodes["Background"]
+    background.inputs["Color"].default_value = (1, 1, 1, 1)
+    background.inputs["Strength"].default_value = job.get("world", 1.0)
+    material = material_from(job["osl"], folder, job.get("values", {}))
+    if job["object"] == "disc":
+        add_disc(scene, material)
+    else:
+        for offset in job.get("offsets", [(0, 0, 0)]):
+            add_sphere(scene, material, offset, job.get("radius", 1.0))
+    for lamp in job.get("lamps", []):
+        data = bpy.data.lights.new("Lamp", "SUN")
+        data.energy = lamp["energy"]
+        data.angle = lamp["angle"]
+        sun = bpy.data.objects.new("Lamp", data)
+        sun.rotation_euler = (lamp["polar"], 0.0, lamp["azimuth"])
+        scene.collection.objects.link(sun)
+    tilt = job.get("tilt", 0.0)
+    location = (0.0, -5.0 * math.sin(tilt), 5.0 * math.cos(tilt))
+    camera_at(scene, location, (tilt, 0.0, 0.0), ortho_scale=job.get("span", 2.0))
+    return save(pixels_of(scene, folder), folder)
+
+
+def main() -> None:
+    job = json.loads(Path(sys.argv[1]).read_text())
+    task = {"compile": task_compile, "values": task_values, "render": task_render}[job["task"]]
+    Path(sys.argv[2]).write_text(json.dumps(task(job, Path(job["folder"]))))
+
+
+if __name__ == "__main__":
+    main()
