@@ -40,24 +40,18 @@ bool is_printable(std::string_view text)
 
 }  // namespace
 
-std::string number_text(double value)
-{
-    return fmt::format("{}", value);
-}
-
 bool Bounds::contains(double value) const noexcept
 {
     return std::isfinite(value) && (exclusive_min ? value > min : value >= min) && value <= max;
 }
 
-std::string Bounds::text() const
+std::string Bounds::text(double value) const
 {
-    const bool low = std::isfinite(min), high = std::isfinite(max);
-    if (low && high)
-        return fmt::format("must be in {}{}, {}]", exclusive_min ? '(' : '[', min, max);
-    if (low) return fmt::format("must be {} {}", exclusive_min ? ">" : "≥", min);
-    if (high) return fmt::format("must be ≤ {}", max);
-    return "must be finite";
+    if (!std::isfinite(value)) return "must be a finite number";
+    const bool is_share = min == 0.0 && !exclusive_min && max <= 100.0;
+    if (is_share) return fmt::format("must be in [{}, {}]", min, max);
+    if (value > max) return fmt::format("must be ≤ {}", max);
+    return fmt::format("must be {} {}", exclusive_min ? ">" : "≥", min);
 }
 
 bool Section::is_table(std::string_view key) const
@@ -117,7 +111,7 @@ std::optional<double> Section::number(std::string_view key, const Bounds& bounds
     }
     const double value = *node->value<double>();
     if (!bounds.contains(value)) {
-        report(key, fmt::format("{} (got {})", bounds.text(), number_text(value)));
+        report(key, fmt::format("{} (got {})", bounds.text(value), value));
         return std::nullopt;
     }
     return value;
@@ -133,7 +127,9 @@ std::optional<int> Section::integer(std::string_view key, int min, int max)
     }
     const std::int64_t value = *node->value<std::int64_t>();
     if (value < min || value > max) {
-        report(key, fmt::format("must be in [{}, {}] (got {})", min, max, value));
+        const std::string allowed =
+            min == max ? std::to_string(min) : fmt::format("in [{}, {}]", min, max);
+        report(key, fmt::format("must be {} (got {})", allowed, value));
         return std::nullopt;
     }
     return static_cast<int>(value);

@@ -21,11 +21,9 @@ struct Bounds {
     bool exclusive_min = false;
 
     [[nodiscard]] bool contains(double value) const noexcept;
-    [[nodiscard]] std::string text() const;  ///< `must be in [0, 1]`, `must be > 0`, …
+    /// What `value` breaks: `must be in [0, 1]` of a share, else `must be > 0`, `must be ≤ 1e8`, …
+    [[nodiscard]] std::string text(double value) const;
 };
-
-/// How a number is shown in a message: shortest form that reads back the same.
-[[nodiscard]] std::string number_text(double value);
 
 /// A table of the template under read: knows its path, collects problems, and in the end reports
 /// the keys that nobody asked for. Readers return nothing where they reported a problem.
@@ -33,8 +31,7 @@ class Section {
 public:
     Section(const toml::table& table, std::string path, std::string file, DiagnosticList& problems)
         : table_(&table), path_(std::move(path)), file_(std::move(file)), problems_(&problems)
-    {
-    }
+    {}
 
     [[nodiscard]] bool has(std::string_view key) const { return table_->contains(key); }
     [[nodiscard]] bool is_table(std::string_view key) const;

@@ -1,0 +1,283 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/material/template.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/core/resources.h"
+
+namespace nacre::material {
+namespace {
+
+const std::string kHead = R"(schema = 1
+[material]
+id = "test"
+name = "Test"
+category = "Tests"
+source = "made up"
+)";
+
+const std::string kFilm = kHead + R"([ambient]
+medium = "air"
+[substrate]
+n = 1.5
+)";
+
+/// All problems as one text, a line each.
+std::string problems(const std::string& toml)
+{
+    try {
+        static_cast<void>(parse_template(toml, "t.toml"));
+    } catch (const InputError& error) {
+        std::string result;
+        for (const Diagnostic& problem : error.diagnostics()) result += problem.text() + '\n';
+        return result;
+    }
+    return "";
+}
+
+TEST(Template, ReadsAFilm)
+{
+    const auto result = parse_template(kFilm + R"([[layer]]
+cauchy = [2.2, 0.032]
+thickness_nm = { default = 180, min = 0, max = 260, varies = true }
+[surface]
+roughness = 0.2
+[[parameter]]
+name = "coverage"
+label = "Coverage"
+default = 0.75
+)",
+                                       "t.toml");
+
+    EXPECT_EQ(result.id, "test");
+    EXPECT_DOUBLE_EQ(result.surface.roughness, 0.2);
+    const auto& stack = std::get<StackSpec>(result.kind);
+    ASSERT_EQ(stack.layers.size(), 1u);
+    EXPECT_EQ(std::get<CauchyMedium>(stack.layers[0].medium.value),
+              (CauchyMedium{{2.2, 0.032}, 0.0}));
+    EXPECT_EQ(stack.layers[0].medium.line, 12);
+    EXPECT_EQ(stack.layers[0].medium.field, "layer[0].cauchy");
+    EXPECT_EQ(stack.varying_layer(), 0u);
+    EXPECT_DOUBLE_EQ(*stack.layers[0].thickness_nm.max, 260.0);
+    EXPECT_EQ(std::get<ConstantMedium>(stack.substrate.value), (ConstantMedium{1.5, 0.0}));
+    ASSERT_NE(result.parameter("coverage"), nullptr);
+    EXPECT_DOUBLE_EQ(result.parameter("coverage")->value, 0.75);
+}
+
+TEST(Template, UnrollsGroups)
+{
+    const auto result = parse_template(kFilm + R"([[layer]]
+repeat = 3
+group = [{ n = 2.4, thickness_nm = 57 }, { n = 1.46, thickness_nm = 94 }]
+[[layer]]
+n = 2.4
+thickness_nm = 57
+[stack]
+scale = { default = 1.0, min = 0.8, max = 1.2 }
+)",
+                                       "t.toml");
+
+    const auto& stack = std::get<StackSpec>(result.kind);
+    ASSERT_EQ(stack.layers.size(), 7u);
+    EXPECT_DOUBLE_EQ(stack.layers[5].thickness_nm.value, 94.0);
+    EXPECT_DOUBLE_EQ(stack.layers[6].thickness_nm.value, 57.0);
+    EXPECT_DOUBLE_EQ(*stack.scale->max, 1.2);
+    EXPECT_FALSE(stack.varying_layer().has_value());
+}
+
+TEST(Template, ReadsGratingAndGlass)
+{
+    const auto disc = parse_template(kHead + R"([grating]
+pitch_nm = { default = 1600, min = 1000, max = 3000 }
+depth_nm = 110
+profile = "blazed"
+orders = 2
+cover = { abbe = { n_d = 1.585, v_d = 30 } }
+substrate = { medium = "Al/Rakic" }
+)",
+                                     "t.toml");
+    const auto& grating = std::get<GratingSpec>(disc.kind);
+    EXPECT_EQ(grating.profile, GratingProfile::blazed);
+    EXPECT_EQ(grating.orders, 2);
+    EXPECT_EQ(std::get<AbbeMedium>(grating.cover.value), (AbbeMedium{1.585, 30.0}));
+
+    const auto glass = parse_template(
+        kHead + "[glass]\nsellmeier = { b = [0.33, 4.3356], c = [0.0306, 0.0112] }\n", "t.toml");
+    EXPECT_EQ(std::get<SellmeierMedium>(std::get<GlassSpec>(glass.kind).medium.value).b.size(), 2u);
+}
+
+TEST(Template, EveryShippedTemplateIsValidAndNamedAfterItsFile)
+{
+    const auto paths = list_resources("templates/");
+    EXPECT_GE(paths.size(), 13u);
+    for (const auto path : paths) {
+        const auto result = parse_template(find_resource(path).value(), path);
+        EXPECT_EQ("templates/" + result.id + ".toml", path);
+        EXPECT_FALSE(result.description.empty()) << path;
+    }
+}
+
+TEST(Template, ReportsAllProblemsOfAFileAtOnce)
+{
+    const std::string text = problems(R"(schema = 2
+[material]
+id = "../evil"
+name = 7
+category = "Tests"
+colour = "red"
+[ambient]
+medium = "air"
+[[layer]]
+n = -1.3
+thickness_nm = nan
+)");
+    EXPECT_EQ(text,
+              "t.toml:1: schema: must be 1 (got 2)\n"
+              "t.toml:3: material.id: must be a to z, 0 to 9 and _, start with a letter and be at "
+              "most 63 characters long (got \"../evil\")\n"
+              "t.toml:4: material.name: must be a string (got an integer)\n"
+              "t.toml:2: material.source: missing; must be a string\n"
+              "t.toml:6: material.colour: unknown key; allowed here: category, description, id, "
+              "name, source\n"
+              "t.toml:10: layer[0].n: must be > 0 (got -1.3)\n"
+              "t.toml:11: layer[0].thickness_nm: must be a finite number (got nan)\n"
+              "t.toml:1: substrate: missing; must be a table that names a medium\n");
+}
+
+struct BadInput {
+    const char* name;
+    std::string toml;
+    std::string expected;  ///< part of the message
+};
+
+void PrintTo(const BadInput& input, std::ostream* out)
+{
+    *out << input.name;
+}
+
+class BadTemplate : public testing::TestWithParam<BadInput> {};
+
+TEST_P(BadTemplate, IsRefusedWithLineAndField)
+{
+    const std::string text = problems(GetParam().toml);
+    EXPECT_NE(text.find(GetParam().expected), std::string::npos) << text;
+}
+
+std::string layer(const std::string& keys)
+{
+    return kFilm + "[[layer]]\n" + keys + "\n";
+}
+
+std::string many_layers(int count)
+{
+    std::string result = kFilm;
+    for (int i = 0; i < count; ++i) result += "[[layer]]\nn = 1.5\nthickness_nm = 100\n";
+    return result;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Values, BadTemplate,
+    testing::Values(
+        BadInput{"negative_thickness", layer("n = 1.3\nthickness_nm = -5"),
+                 "t.toml:13: layer[0].thickness_nm: must be ≥ 0 (got -5)"},
+        BadInput{"infinite_thickness", layer("n = 1.3\nthickness_nm = inf"),
+                 "layer[0].thickness_nm: must be a finite number (got inf)"},
+        BadInput{"zero_index", layer("n = 0\nthickness_nm = 5"),
+                 "t.toml:12: layer[0].n: must be > 0 (got 0)"},
+        BadInput{"gain", layer("n = 1.5\nk = -0.1\nthickness_nm = 5"),
+                 "t.toml:13: layer[0].k: must be in [0, 100] (got -0.1)"},
+        BadInput{"min_above_max",
+                 layer("n = 1.3\nthickness_nm = { default = 5, min = 9, max = 2 }"),
+                 "layer[0].thickness_nm.min: must be below max (got 9 and 2)"},
+        BadInput{"default_outside",
+                 layer("n = 1.3\nthickness_nm = { default = 50, min = 0, max = 20 }"),
+                 "layer[0].thickness_nm.default: must be inside [min, max] (got 50)"},
+        BadInput{"slider_without_range",
+                 layer("n = 1.3\nthickness_nm = { default = 50, varies = true }"),
+                 "layer[0].thickness_nm.max: missing"},
+        BadInput{"two_media", layer("n = 1.3\nmedium = \"air\"\nthickness_nm = 5"),
+                 "must be given by exactly one of medium, n, cauchy, sellmeier, abbe"},
+        BadInput{"no_medium", layer("thickness_nm = 5"), "layer[0].medium: must be given by"},
+        BadInput{"sellmeier_sizes", layer("sellmeier = { b = [1, 2], c = [1] }\nthickness_nm = 5"),
+                 "layer[0].sellmeier.c: must have as many numbers as b (got 1 and 2)"},
+        BadInput{"cauchy_size", layer("cauchy = [1, 2, 3, 4]\nthickness_nm = 5"),
+                 "layer[0].cauchy: must be 1 to 3 finite numbers"},
+        BadInput{"k_with_library", layer("medium = \"Fe/Johnson\"\nk = 1\nthickness_nm = 5"),
+                 "layer[0].k: unknown key"},
+        BadInput{"thickness_text", layer("n = 1.3\nthickness_nm = \"thin\""),
+                 "layer[0].thickness_nm: must be a number (got a string)"},
+        BadInput{"coherent_number", layer("n = 1.3\nthickness_nm = 5\ncoherent = 1"),
+                 "layer[0].coherent: must be true or false (got an integer)"},
+        BadInput{"thick_layer_varies",
+                 layer("n = 1.3\ncoherent = false\n"
+                       "thickness_nm = { default = 5, min = 0, max = 9, varies = true }"),
+                 "layer[0].coherent: a layer that varies must be coherent"},
+        BadInput{"layer_as_table", kFilm + "[layer]\nn = 1.5\n",
+                 "t.toml:11: layer: must be an array of tables"},
+        BadInput{"layer_of_numbers", "layer = [1]\n" + kFilm,
+                 "t.toml:1: layer[0]: must be a table (got an integer)"}),
+    [](const auto& input) { return std::string(input.param.name); });
+
+const std::string kVarying =
+    "[[layer]]\nn = 1.3\nthickness_nm = { default = 5, min = 0, max = 9, varies = true }\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Structure, BadTemplate,
+    testing::Values(
+        BadInput{"too_many_layers", many_layers(65), "layer: must be at most 64 layers"},
+        BadInput{"too_many_by_group",
+                 layer("repeat = 13\ngroup = [{n=1.5,thickness_nm=1},{n=1.5,thickness_nm=1},"
+                       "{n=1.5,thickness_nm=1},{n=1.5,thickness_nm=1},{n=1.5,thickness_nm=1}]"),
+                 "layer: must be at most 64 layers"},
+        BadInput{"two_vary", kFilm + kVarying + kVarying,
+                 "t.toml:16: layer[1].thickness_nm: only one layer can vary"},
+        BadInput{"group_varies",
+                 layer("group = [{ n = 1.3, thickness_nm = { default = 5, min = 0, max = 9, "
+                       "varies = true } }]"),
+                 "layer[0].group[0].thickness_nm: a layer of a group cannot vary"},
+        BadInput{"empty_group", layer("repeat = 2\ngroup = []"), "layer[0].group: must hold"},
+        BadInput{"scale_and_varies",
+                 kFilm + kVarying + "[stack]\nscale = { default = 1, min = 0.5, max = 2 }\n",
+                 "t.toml:15: stack.scale: excludes a layer that varies"},
+        BadInput{"scale_of_nothing",
+                 kFilm + "[stack]\nscale = { default = 1, min = 0.5, max = 2 }\n",
+                 "stack.scale: needs a coherent layer"},
+        BadInput{"transmission_into_glass", kFilm + "[surface]\ntransmission = true\n",
+                 "surface: transmission: needs a substrate that is the same medium"},
+        BadInput{"absorbing_ambient", kHead + "[ambient]\nn = 1.5\nk = 0.1\n[substrate]\nn = 1.5\n",
+                 "t.toml:7: ambient: must not absorb"},
+        BadInput{"two_kinds", kHead + "[glass]\nn = 1.5\n[grating]\npitch_nm = 5\n",
+                 "t.toml:7: glass: excludes [grating]"},
+        BadInput{"layers_of_a_glass", kHead + "[glass]\nn = 1.5\n[ambient]\nn = 1\n",
+                 "t.toml:9: ambient: unknown key"},
+        BadInput{"grating_profile",
+                 kHead + "[grating]\npitch_nm = 1600\ndepth_nm = 1\nprofile = \"square\"\n",
+                 "grating.profile: must be sinusoidal, rectangular, blazed (got \"square\")"},
+        BadInput{"parameter_unknown",
+                 kFilm + "[[parameter]]\nname = \"shine\"\nlabel = \"Shine\"\ndefault = 1\n",
+                 "t.toml:12: parameter[0].name: unknown parameter; allowed here: coverage, "
+                 "roughness (got \"shine\")"},
+        BadInput{"parameter_twice",
+                 kFilm + "[[parameter]]\nname = \"coverage\"\nlabel = \"A\"\ndefault = 1\n"
+                         "[[parameter]]\nname = \"coverage\"\nlabel = \"B\"\ndefault = 1\n",
+                 "parameter[1].name: already declared"},
+        BadInput{"parameter_range",
+                 kFilm + "[[parameter]]\nname = \"coverage\"\nlabel = \"A\"\ndefault = 0.1\n"
+                         "min = 0.5\n",
+                 "parameter[0].default: must be in [0.5, 1] (got 0.1)"},
+        BadInput{"no_material", "schema = 1\n[ambient]\nn = 1\n[substrate]\nn = 1\n",
+                 "t.toml:1: material: missing"},
+        BadInput{"not_toml", "schema = = 1\n", "t.toml:1: "},
+        BadInput{"control_character", "schema = 1\n[material]\nname = \"a\\u0007b\"\n",
+                 "t.toml:3: material.name: must be one line of text"},
+        BadInput{"empty_file", "", "schema: missing"}),
+    [](const auto& input) { return std::string(input.param.name); });
+
+}  // namespace
+}  // namespace nacre::material
