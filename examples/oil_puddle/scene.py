@@ -1,0 +1,61 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""A film of oil on a puddle in a street, seen at a low angle."""
+
+from __future__ import annotations
+
+import math
+import sys
+
+import bpy
+from mathutils import Vector, noise
+from staging import (
+    bump,
+    camera,
+    mesh_object,
+    new_scene,
+    plain_material,
+    save,
+    thickness_field,
+    wave_material,
+)
+
+
+def puddle() -> bpy.types.Object:
+    """A flat shape with a wandering outline."""
+    rings, segments = 24, 160
+    vertices = [(0.0, 0.0, 0.012)]
+    for ring in range(1, rings + 1):
+        for step in range(segments):
+            angle = math.tau * step / segments
+            direction = Vector((math.cos(angle), math.sin(angle), 0.0))
+            reach = 1.9 + 0.9 * noise.noise(direction * 1.3) + 0.25 * noise.noise(direction * 4.0)
+            point = direction * reach * ring / rings
+            vertices.append((1.5 * point.x, point.y, 0.012))
+    faces = [(0, 1 + i, 1 + (i + 1) % segments) for i in range(segments)]
+    for ring in range(rings - 1):
+        a, b = 1 + ring * segments, 1 + (ring + 1) * segments
+        for i in range(segments):
+            j = (i + 1) % segments
+            faces.append((a + i, b + i, b + j, a + j))
+    return mesh_object("Puddle", vertices, faces)
+
+
+def asphalt() -> None:
+    bpy.ops.mesh.primitive_plane_add(size=60.0)
+    material = plain_material("Asphalt", (0.03, 0.03, 0.033), roughness=0.75)
+    bump(material, scale=55.0, strength=0.7, distance_m=0.02)
+    bpy.context.object.data.materials.append(material)
+
+
+def main() -> None:
+    new_scene("city", strength=0.8, turn_deg=200.0)
+    asphalt()
+    water = puddle()
+    node = wave_material(water, "oil_on_water")
+    thickness_field(water, node, low_nm=0.0, high_nm=750.0, axis="", swirl=1.0, swirl_scale=0.75)
+    camera((0.3, -6.5, 2.6), (0.0, 0.15, 0.0), lens_mm=42.0, f_stop=4.0)
+    save(sys.argv[1])
+
+
+main()
