@@ -32,13 +32,11 @@ std::string Diagnostic::text() const
 
 InputError::InputError(std::vector<Diagnostic> diagnostics)
     : std::runtime_error(join_texts(diagnostics)), diagnostics_(std::move(diagnostics))
-{
-}
+{}
 
 InputError::InputError(Diagnostic diagnostic)
     : InputError(std::vector<Diagnostic>{std::move(diagnostic)})
-{
-}
+{}
 
 void DiagnosticList::throw_if_any()
 {

@@ -34,11 +34,14 @@ using Mat3 = std::array<Vec3, 3>;  ///< rows
 /// CIEDE2000 (Sharma, Wu, Dalal 2005), kL = kC = kH = 1.
 [[nodiscard]] double delta_e_2000(const Vec3& lab_a, const Vec3& lab_b) noexcept;
 
-/// Correlated colour temperature and distance from the Planckian locus (Ohno 2013).
+/// Correlated colour temperature and distance from the Planckian locus, positive above it: the
+/// nearest point of the locus in CIE 1960 uv, 2 degree observer, found by search (Ohno 2013
+/// approximates the same definition).
 struct ColourTemperature {
     double cct_kelvin, duv;
 };
-/// Nothing where the chromaticity is too far from the locus to have one (|duv| > 0.05).
+/// Nothing where the chromaticity is too far from the locus to have one (|duv| > 0.05), or nearest
+/// to a temperature outside 1000 … 100 000 K.
 [[nodiscard]] std::optional<ColourTemperature> colour_temperature(const Vec3& xyz);
 
 /// Bradford adaptation between two whites given as XYZ.

@@ -21,10 +21,12 @@ struct Illuminant {
 [[nodiscard]] Illuminant named_illuminant(std::string_view name);
 [[nodiscard]] std::vector<std::string> illuminant_names();
 
-/// Planck's law with c2 = 1.4388e-2 m K (CIE 015), scaled to 100 at 560 nm. @pre 100 K ≤ kelvin ≤ 1e6 K.
+/// Planck's law with c2 = 1.4388e-2 m K (CIE 015), scaled to 100 at 560 nm.
+/// @throws InputError outside 100 … 1e6 K.
 [[nodiscard]] Illuminant blackbody(double kelvin);
 
-/// CIE D-series, CIE 015:2018 section 4.1.2. @throws InputError outside 4000…25000 K.
+/// CIE D-series, CIE 015:2018 4.1.2, from its correlated colour temperature (D65 has 6504 K).
+/// @throws InputError outside 4000 … 25 000 K.
 [[nodiscard]] Illuminant daylight(double kelvin);
 
 }  // namespace nacre::spectral

@@ -24,14 +24,14 @@ public:
     virtual ~OpticalConstants() = default;
     /// @throws InputError outside the range of the data; the message names medium and range.
     [[nodiscard]] virtual Complex at(double wavelength_nm) const = 0;
-    /// Closed range in nm; {0, inf} for a constant.
+    /// Closed range in nm: where both n and k are known; {0, inf} for a constant.
     [[nodiscard]] virtual std::array<double, 2> range_nm() const noexcept = 0;
     [[nodiscard]] std::array<Complex, kWavelengths> on_grid() const;
 };
 
 using OpticalConstantsPtr = std::shared_ptr<const OpticalConstants>;
 
-/// @pre n > 0, k ≥ 0, both finite. @throws InputError otherwise.
+/// @throws InputError unless n > 0 and k ≥ 0, both finite.
 [[nodiscard]] OpticalConstantsPtr constant_index(Complex n);
 
 /// n = a + b/λ² + c/λ⁴ with λ in µm.
@@ -40,24 +40,27 @@ using OpticalConstantsPtr = std::shared_ptr<const OpticalConstants>;
 /// n² − 1 = Σ B_i λ² / (λ² − C_i), λ in µm, C_i in µm²; up to six terms.
 [[nodiscard]] OpticalConstantsPtr sellmeier(std::vector<double> b, std::vector<double> c);
 
-/// Two-term Cauchy curve through n_d with Abbe number V_d (lines F 486.13, d 587.56, C 656.27 nm).
+/// Two-term Cauchy curve through n_d with Abbe number V_d (lines F 486.1327, d 587.5618,
+/// C 656.2725 nm).
 [[nodiscard]] OpticalConstantsPtr abbe(double n_d, double v_d);
 
 /// One entry of the library or one file of the user's.
 struct Medium {
     std::string key;         ///< `book/page`, e.g. `water/Daimon-20C`
-    std::string name;        ///< readable, from the file's comments or the key
+    std::string name;        ///< readable: first of NAMES in the file, or else the key
     std::string references;  ///< citation, plain text
     std::string comments;
     OpticalConstantsPtr constants;
 };
 
-/// Parses refractiveindex.info YAML: only DATA is read (tabulated n, k, nk; formulas 1–9).
-/// @param name  what to call the input in messages
+/// Parses refractiveindex.info YAML: numbers come from DATA only (tabulated n, k, nk; formulas
+/// 1–9). Tables are linear in between; where n and k have ranges of their own, theirs in common
+/// counts.
+/// @param name  what to call the input in messages, and the medium's key
 /// @throws InputError with line numbers.
 [[nodiscard]] Medium parse_refractiveindex_yaml(std::string_view text, std::string_view name);
 
-/// Built-in medium by key; `air` and `vacuum` are n = 1.
+/// Built-in medium by key; `air` and `vacuum` are n = 1. Thread-safe; the reference stays valid.
 /// @throws InputError for an unknown key; the message names near matches.
 [[nodiscard]] const Medium& library_medium(std::string_view key);
 [[nodiscard]] std::vector<std::string> library_keys();

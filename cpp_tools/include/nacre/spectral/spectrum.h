@@ -2,14 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "nacre/spectral/wavelengths.h"
 
 namespace nacre::spectral {
 
-/// A sampled function of wavelength: ascending wavelengths in nm, any spacing, linear in between.
+/// How to get from the samples of a measurement to the 1 nm grid.
+enum class Interpolation {
+    linear,
+    sprague,  ///< fifth order, for samples in equal steps: CIE 167:2005
+};
+
+/// A sampled function of wavelength: ascending wavelengths in nm, any spacing.
 class Spectrum {
 public:
     /// @throws InputError when the sizes differ, there are fewer than two samples, wavelengths do
@@ -18,17 +23,28 @@ public:
 
     [[nodiscard]] double first_nm() const noexcept { return wavelengths_nm_.front(); }
     [[nodiscard]] double last_nm() const noexcept { return wavelengths_nm_.back(); }
-    [[nodiscard]] const std::vector<double>& wavelengths_nm() const noexcept { return wavelengths_nm_; }
+    [[nodiscard]] const std::vector<double>& wavelengths_nm() const noexcept
+    {
+        return wavelengths_nm_;
+    }
     [[nodiscard]] const std::vector<double>& values() const noexcept { return values_; }
 
-    /// Linear interpolation. @throws InputError outside [first_nm, last_nm]; the message names the range.
+    /// Linear interpolation.
+    /// @throws InputError outside [first_nm, last_nm]; the message names the range.
     [[nodiscard]] double at(double wavelength_nm) const;
 
-    /// On the 1 nm grid, 0 outside the range of the samples: for emission and reflectance whose
-    /// tables stop short of 360 or 830 nm (convention of ASTM E308 is left to the caller).
+    /// On the 1 nm grid as the CIE recommends for measured spectra: Sprague where six or more
+    /// samples stand in equal steps (CIE 167:2005), else linear; outside the samples the value of
+    /// the nearest one (CIE 015:2018, 7.2.3).
+    /// @throws InputError when no sample range overlaps the grid.
     [[nodiscard]] Sampled on_grid() const;
 
+    /// The same with a chosen interpolation. @pre sprague: six or more samples in equal steps
+    [[nodiscard]] Sampled on_grid(Interpolation interpolation) const;
+
 private:
+    [[nodiscard]] bool is_uniform() const noexcept;
+
     std::vector<double> wavelengths_nm_, values_;
 };
 

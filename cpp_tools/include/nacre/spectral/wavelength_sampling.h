@@ -13,16 +13,20 @@
 namespace nacre::spectral {
 
 /// Inverse CDF over equal cells of a uniform number u in [0, 1): cell i holds u in [i, i+1)/N and
-/// wavelengths [edges_nm[i], edges_nm[i+1]), uniform inside. `weight[i]` is the mean over the cell of
-/// (colour weight / density), so that the mean of all weights is exactly (1, 1, 1) for a white light.
-/// Signed: single wavelengths lie outside every RGB gamut.
+/// wavelengths [edges_nm[i], edges_nm[i+1]), uniform inside. `weight[i]` is the mean over the cell
+/// of (colour weight / density), so that the mean of all weights is exactly (1, 1, 1), the colour
+/// of white, in an RGB space. Signed: single wavelengths lie outside every RGB gamut.
 struct WavelengthSampling {
     std::vector<double> edges_nm;  ///< N + 1, ascending
     std::vector<Vec3> weight;      ///< N
 };
 
+/// Fewer could not keep every cell within 40 nm.
+inline constexpr int kFewestCells = 12;
+
 /// The density follows Σ_c |weight_c(λ)| of `weights` (what the eye and the light make of a
 /// wavelength), mixed with a small uniform part so that no cell is wider than 40 nm.
+/// @pre cells ≥ kFewestCells
 [[nodiscard]] WavelengthSampling sample_wavelengths(const ColourWeights& weights, int cells);
 
 }  // namespace nacre::spectral

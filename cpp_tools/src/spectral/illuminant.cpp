@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/spectral/illuminant.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "csv_table.h"
+#include "nacre/core/diagnostics.h"
+#include "nacre/spectral/spectrum.h"
+
+namespace nacre::spectral {
+
+namespace {
+
+struct NamedTable {
+    const char* name;
+    const char* path;  ///< null: 1 at every wavelength
+};
+
+constexpr NamedTable kTables[] = {
+    {"E", nullptr},
+    {"A", "spd/cie_a.csv"},
+    {"D65", "spd/cie_d65.csv"},
+    {"D50", "spd/cie_d50.csv"},
+    {"D55", "spd/cie_d55.csv"},
+    {"D75", "spd/cie_d75.csv"},
+};
+
+/// The CIE defines its illuminants between the published samples by linear interpolation.
+Sampled column_on_grid(const CsvTable& table, std::size_t column)
+{
+    return Spectrum(table.columns[0], table.columns[column]).on_grid(Interpolation::linear);
+}
+
+[[noreturn]] void throw_range(const char* field, double low, double high, double got)
+{
+    throw InputError({.file = {},
+                      .field = field,
+                      .message = fmt::format("must be within {} … {} K (got {})", low, high, got)});
+}
+
+}  // namespace
+
+Illuminant named_illuminant(std::string_view name)
+{
+    const auto* const found = std::ranges::find(kTables, name, &NamedTable::name);
+    if (found == std::end(kTables))
+        throw InputError({.file = {},
+                          .field = "illuminant",
+                          .message = fmt::format("must be one of {} (got '{}')",
+                                                 fmt::join(illuminant_names(), ", "), name)});
+    Illuminant illuminant{.name = found->name, .power = {}};
+    if (found->path == nullptr) {
+        illuminant.power.fill(1.0);
+    } else {
+        illuminant.power = column_on_grid(load_csv(found->path, 2), 1);
+    }
+    return illuminant;
+}
+
+std::vector<std::string> illuminant_names()
+{
+    std::vector<std::string> names;
+    for (const NamedTable& table : kTables) names.emplace_back(table.name);
+    return names;
+}
+
+Illuminant blackbody(double kelvin)
+{
+    constexpr double kLowest = 100.0, kHighest = 1e6, kC2 = 1.4388e-2, kReferenceNm = 560.0;
+    if (!(kelvin >= kLowest && kelvin <= kHighest))
+        throw_range("blackbody_K", kLowest, kHighest, kelvin);
+
+    // As a ratio to 560 nm, in logarithms: exp(c2 / λT) alone overflows for cool bodies.
+    const auto log_radiance = [kelvin](double nm) {
+        const double x = kC2 / (nm * 1e-9 * kelvin);
+        return -5.0 * std::log(nm / kReferenceNm) - (x + std::log(-std::expm1(-x)));
+    };
+    Illuminant illuminant{.name = fmt::format("blackbody {} K", kelvin), .power = {}};
+    const double reference = log_radiance(kReferenceNm);
+    for (std::size_t i = 0; i < kWavelengths; ++i)
+        illuminant.power[i] = 100.0 * std::exp(log_radiance(wavelength_nm(i)) - reference);
+    return illuminant;
+}
+
+Illuminant daylight(double kelvin)
+{
+    constexpr double kLowest = 4000.0, kHighest = 25000.0, kBreak = 7000.0;
+    if (!(kelvin >= kLowest && kelvin <= kHighest))
+        throw_range("daylight_K", kLowest, kHighest, kelvin);
+
+    // CIE 015:2018, equations 4.8 to 4.13.
+    const double t = 1000.0 / kelvin;
+    const double x = kelvin <= kBreak ? ((-4.6070 * t + 2.9678) * t + 0.09911) * t + 0.244063
+                                      : ((-2.0064 * t + 1.9018) * t + 0.24748) * t + 0.237040;
+    const double y = (-3.000 * x + 2.870) * x - 0.275;
+    const double m = 0.0241 + 0.2562 * x - 0.7341 * y;
+    // Rounded to three decimals, as the published tables of the D illuminants are.
+    const double m1 = std::nearbyint((-1.3515 - 1.7703 * x + 5.9114 * y) / m * 1000.0) / 1000.0;
+    const double m2 = std::nearbyint((0.0300 - 31.4424 * x + 30.0717 * y) / m * 1000.0) / 1000.0;
+
+    const CsvTable table = load_csv("spd/cie_daylight_components.csv", 4);
+    const Sampled s0 = column_on_grid(table, 1);
+    const Sampled s1 = column_on_grid(table, 2);
+    const Sampled s2 = column_on_grid(table, 3);
+    Illuminant illuminant{.name = fmt::format("daylight {} K", kelvin), .power = {}};
+    for (std::size_t i = 0; i < kWavelengths; ++i)
+        illuminant.power[i] = s0[i] + m1 * s1[i] + m2 * s2[i];
+    return illuminant;
+}
+
+}  // namespace nacre::spectral
