@@ -1,0 +1,116 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The terminal side of a render: quiet standard output, progress, interruption."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import re
+import shutil
+import signal
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from typing import TextIO
+
+import bpy
+
+_SAMPLES = re.compile(r"Sample (\d+)/(\d+)")
+
+
+@contextlib.contextmanager
+def own_stdout(verbose: bool) -> Iterator[TextIO]:
+    """Yields the real standard output while Blender's own chatter goes elsewhere.
+
+    Blender writes from C++, so the file descriptor itself is turned aside: to standard error when
+    verbose, else to nowhere.
+    """
+    sys.stdout.flush()
+    kept = os.dup(1)
+    aside = os.dup(2) if verbose else os.open(os.devnull, os.O_WRONLY)
+    os.dup2(aside, 1)
+    os.close(aside)
+    try:
+        with os.fdopen(os.dup(kept), "w", encoding="utf-8") as stream:
+            yield stream
+    finally:
+        sys.stdout.flush()
+        os.dup2(kept, 1)
+        os.close(kept)
+
+
+def mute_removed_engine_noise() -> None:
+    """Drops the harmless complaint of Cycles about its engine object when the interpreter ends."""
+    previous = sys.unraisablehook
+
+    def hook(report: sys.UnraisableHookArgs) -> None:
+        if not isinstance(report.exc_value, ReferenceError):
+            previous(report)
+
+    sys.unraisablehook = hook
+
+
+class Progress:
+    """One line on a terminal, rewritten as samples come in; silent in a pipe."""
+
+    def __init__(self, label: str, quiet: bool):
+        self.label = label
+        self._shown = not quiet and sys.stderr.isatty()
+
+    def __enter__(self) -> Progress:
+        if self._shown:
+            bpy.app.handlers.render_stats.append(self._update)
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self._shown:
+            bpy.app.handlers.render_stats.remove(self._update)
+            print("\r\033[K", end="", file=sys.stderr, flush=True)
+
+    def _update(self, stats: object, *_: object) -> None:
+        match = _SAMPLES.search(str(stats))
+        if match:
+            done, total = map(int, match.groups())
+            bar = "#" * (24 * done // max(total, 1))
+            line = f"\r{self.label} [{bar:<24}] sample {done} of {total}\033[K"
+            print(line, end="", file=sys.stderr, flush=True)
+
+
+@contextlib.contextmanager
+def stop_on_signals(clean_up: Callable[[], None]) -> Iterator[None]:
+    """Ends the process at SIGINT and SIGTERM, even in the middle of a render.
+
+    Python runs its handlers between two bytecodes of the main thread, which a render does not reach
+    for minutes. So a thread waits for the signal's number on a pipe; Cycles lets go of the
+    interpreter while it renders.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    reading, writing = os.pipe()
+    os.set_blocking(writing, False)
+
+    def wait() -> None:
+        number = os.read(reading, 1)
+        if number in (bytes([signal.SIGINT]), bytes([signal.SIGTERM])):
+            clean_up()
+            shutil.rmtree(bpy.app.tempdir, ignore_errors=True)
+            print(f"\nnacre render: stopped by {signal.Signals(number[0]).name}", file=sys.stderr)
+            sys.stderr.flush()
+            os._exit(128 + number[0])
+
+    handlers = {n: signal.signal(n, lambda *_: None) for n in (signal.SIGINT, signal.SIGTERM)}
+    previous_fd = signal.set_wakeup_fd(writing)
+    watcher = threading.Thread(target=wait, name="nacre-signals", daemon=True)
+    watcher.start()
+    try:
+        yield
+    finally:
+        signal.set_wakeup_fd(previous_fd)
+        for number, handler in handlers.items():
+            signal.signal(number, handler if handler is not None else signal.SIG_DFL)
+        os.write(writing, b"\0")
+        watcher.join()
+        os.close(reading)
+        os.close(writing)

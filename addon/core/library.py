@@ -1,0 +1,62 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The compiled materials at hand: bundled with the extension, or a folder named by the environment."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from .manifest import CompiledMaterial, ManifestError, load_folder, read_manifest
+
+ENVIRONMENT = "NACRE_MATERIALS"
+
+
+@dataclass(frozen=True)
+class Entry:
+    """What a list of materials shows."""
+
+    id: str
+    name: str
+    category: str
+    description: str
+    kind: str
+
+
+class Library:
+    def __init__(self, root: Path):
+        self.root = root
+        self._entries: dict[str, Entry] | None = None
+
+    @classmethod
+    def default(cls) -> Library:
+        bundled = Path(__file__).resolve().parent.parent / "materials"
+        return cls(Path(os.environ.get(ENVIRONMENT) or bundled))
+
+    def entries(self) -> dict[str, Entry]:
+        """By id, in the order of categories and names; folders that cannot be read are left out."""
+        if self._entries is None:
+            found = [entry for entry in map(_entry, self._folders()) if entry]
+            found.sort(key=lambda entry: (entry.category, entry.name))
+            self._entries = {entry.id: entry for entry in found}
+        return self._entries
+
+    def load(self, material_id: str) -> CompiledMaterial:
+        if material_id not in self.entries():
+            known = ", ".join(sorted(self.entries())) or f"none, as {self.root} holds no materials"
+            raise ManifestError(f"unknown material {material_id!r}; there are: {known}")
+        return load_folder(self.root / material_id)
+
+    def _folders(self) -> list[Path]:
+        return sorted(path for path in self.root.glob("*") if path.is_dir())
+
+
+def _entry(folder: Path) -> Entry | None:
+    try:
+        data = read_manifest(folder / f"{folder.name}.json")
+    except ManifestError:
+        return None
+    if data["id"] != folder.name:
+        return None
+    return Entry(data["id"], data["name"], data["category"], data["description"], data["kind"])

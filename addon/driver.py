@@ -1,0 +1,53 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs `render …` where the extension is not installed.
+
+    python driver.py render …                       with the bpy wheel
+    blender -b --factory-startup --python driver.py -- render …
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+PACKAGE = "nacre_extension"
+
+
+def load_package(name: str = PACKAGE):
+    """Imports the extension's folder under a name of its own, without touching sys.path."""
+    folder = Path(__file__).resolve().parent
+    spec = importlib.util.spec_from_file_location(
+        name, folder / "__init__.py", submodule_search_locations=[str(folder)]
+    )
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[name] = module
+    spec.loader.exec_module(module)
+    return module
+
+
+def _arguments() -> list[str]:
+    """What follows `--`, which Blender leaves alone; all arguments where Python runs the file."""
+    if "--" in sys.argv:
+        return sys.argv[sys.argv.index("--") + 1 :]
+    return sys.argv[1:]
+
+
+def main() -> None:
+    import bpy  # the wheel sets up its module search path when it is imported first
+
+    load_package()
+    render = importlib.import_module(f"{PACKAGE}.render")
+    status = render.main(_arguments())
+    sys.stdout.flush()
+    sys.stderr.flush()
+    if bpy.app.binary_path:
+        # Blender itself would go on and end with status 0.
+        os._exit(status)
+    sys.exit(status)
+
+
+if __name__ == "__main__":
+    main()

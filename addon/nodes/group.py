@@ -1,0 +1,209 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Node groups from the graphs of compiled materials."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import bpy
+
+from ..core.form import OSL
+from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
+from ..core.manifest import CompiledMaterial, ManifestError, Socket
+from .image import table_image
+from .script import fill_script_node
+
+SCHEMA_VERSION = 1
+"""Of the custom properties below; they live in saved files."""
+
+MATERIAL, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, WAVELENGTHS = (
+    "nacre_material",
+    "nacre_form",
+    "nacre_schema",
+    "nacre_digest",
+    "nacre_sockets",
+    "nacre_template_sha256",
+    "nacre_wavelength_per_path",
+)
+
+_SOCKET_TYPES = {
+    "float": "NodeSocketFloat",
+    "int": "NodeSocketInt",
+    "color": "NodeSocketColor",
+    "normal": "NodeSocketVector",
+}
+_COLUMN, _ROW = 220.0, 190.0
+
+
+def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNodeTree:
+    """The material's group; one of the same template and shader in the file is used again."""
+    for group in bpy.data.node_groups:
+        if group.get(DIGEST) == material.digest and group.get(FORM) == form:
+            return group
+    graph = material.graphs[form]
+    group = bpy.data.node_groups.new(material.name, "ShaderNodeTree")
+    try:
+        _fill(group, material, graph)
+    except Exception:
+        bpy.data.node_groups.remove(group)
+        raise
+    _tag(group, material, form)
+    return group
+
+
+def socket_identifiers(group: bpy.types.NodeTree) -> dict[str, str]:
+    """From manifest names to identifiers on the group's interface."""
+    return json.loads(group.get(SOCKETS, "{}"))
+
+
+def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> None:
+    group[SCHEMA] = SCHEMA_VERSION
+    group[MATERIAL] = material.id
+    group[FORM] = form
+    group[DIGEST] = material.digest
+    group[TEMPLATE] = material.template_sha256
+    group[WAVELENGTHS] = material.wavelength_per_path and form == OSL
+    inputs = [i for i in group.interface.items_tree if getattr(i, "in_out", "") == "INPUT"]
+    names = [socket.name for socket in material.sockets]
+    identifiers = [item.identifier for item in inputs]
+    group[SOCKETS] = json.dumps(dict(zip(names, identifiers, strict=True)))
+
+
+def _fill(group: bpy.types.NodeTree, material: CompiledMaterial, graph: Graph) -> None:
+    for socket in material.sockets:
+        _add_interface_socket(group, socket)
+    for endpoint in {str(target): target for _, target in graph.links}.values():
+        if endpoint.node == GROUP_OUTPUT:
+            group.interface.new_socket(
+                name=endpoint.socket, in_out="OUTPUT", socket_type="NodeSocketShader"
+            )
+    nodes = {
+        GROUP_INPUT: group.nodes.new("NodeGroupInput"),
+        GROUP_OUTPUT: group.nodes.new("NodeGroupOutput"),
+    }
+    for item in graph.nodes:
+        nodes[item.id] = _add_node(group, material, item)
+    for source, target in graph.links:
+        group.links.new(
+            _source_socket(group, nodes, source, material), _find(nodes, target, "inputs")
+        )
+    _arrange(nodes, graph)
+
+
+def _add_interface_socket(group: bpy.types.NodeTree, socket: Socket) -> None:
+    item = group.interface.new_socket(
+        name=socket.label, in_out="INPUT", socket_type=_SOCKET_TYPES[socket.type]
+    )
+    item.description = socket.description
+    if socket.type == "normal":
+        item.hide_value = True
+    elif socket.type == "color":
+        item.default_value = (*socket.default, 1.0)
+    else:
+        number = int if socket.type == "int" else float
+        item.min_value, item.max_value = number(socket.minimum), number(socket.maximum)
+        item.default_value = number(socket.default)
+        if (socket.minimum, socket.maximum) == (0, 1):
+            item.subtype = "FACTOR"
+
+
+def _add_node(group: bpy.types.NodeTree, material: CompiledMaterial, item) -> bpy.types.Node:
+    try:
+        node = group.nodes.new(item.type)
+    except RuntimeError as error:
+        raise ManifestError(f"{material.id}: node {item.id}: unknown type {item.type!r}") from error
+    node.name = node.label = item.id
+    for name, value in item.properties.items():
+        setattr(node, name, value)
+    if item.type == "ShaderNodeScript":
+        fill_script_node(node, material)
+    if item.table:
+        table = next(table for table in material.tables if table.name == item.table)
+        node.image = table_image(material, table)
+        node.interpolation = "Linear"
+        node.extension = "EXTEND"
+    for name, value in item.values.items():
+        _set_default(_find({item.id: node}, Endpoint(item.id, str(name)), "inputs"), value)
+    return node
+
+
+def _set_default(socket: bpy.types.NodeSocket, value: Any) -> None:
+    if isinstance(value, list) and socket.type == "RGBA" and len(value) == 3:
+        value = [*value, 1.0]
+    socket.default_value = value
+
+
+def _find(nodes: dict[str, bpy.types.Node], endpoint: Endpoint, side: str) -> bpy.types.NodeSocket:
+    """By identifier, then by name among the sockets in use, then by index."""
+    sockets = getattr(nodes[endpoint.node], side)
+    for socket in sockets:
+        if socket.identifier == endpoint.socket:
+            return socket
+    for socket in sockets:
+        if socket.name == endpoint.socket and socket.enabled:
+            return socket
+    if endpoint.socket.isdecimal() and int(endpoint.socket) < len(sockets):
+        return sockets[int(endpoint.socket)]
+    known = ", ".join(socket.identifier for socket in sockets)
+    raise ManifestError(f"{endpoint}: no such socket; there are: {known}")
+
+
+def _source_socket(
+    group: bpy.types.NodeTree,
+    nodes: dict[str, bpy.types.Node],
+    source: Endpoint,
+    material: CompiledMaterial,
+) -> bpy.types.NodeSocket:
+    if source.node != GROUP_INPUT:
+        return _find(nodes, source, "outputs")
+    names = [socket.name for socket in material.sockets]
+    index = names.index(source.socket)
+    socket = nodes[GROUP_INPUT].outputs[index]
+    if material.sockets[index].type == "normal":
+        return _normal_or_geometry(group, socket)
+    return socket
+
+
+def _normal_or_geometry(
+    group: bpy.types.NodeTree, normal: bpy.types.NodeSocket
+) -> bpy.types.NodeSocket:
+    """The given normal, or the shading normal where nothing is plugged in (a zero vector).
+
+    Inside a group an unlinked vector is the constant 0, not "no value"; Cycles folds the choice.
+    """
+    existing = group.nodes.get("normal or geometry")
+    if existing:
+        return existing.outputs[1]
+    length = group.nodes.new("ShaderNodeVectorMath")
+    length.operation = "LENGTH"
+    given = group.nodes.new("ShaderNodeMath")
+    given.operation = "GREATER_THAN"
+    given.inputs[1].default_value = 0.5
+    geometry = group.nodes.new("ShaderNodeNewGeometry")
+    choice = group.nodes.new("ShaderNodeMix")
+    choice.name = choice.label = "normal or geometry"
+    choice.data_type = "VECTOR"
+    vectors = [socket for socket in choice.inputs if socket.type == "VECTOR" and socket.enabled]
+    factor = next(socket for socket in choice.inputs if socket.type == "VALUE" and socket.enabled)
+    group.links.new(normal, length.inputs[0])
+    group.links.new(length.outputs["Value"], given.inputs[0])
+    group.links.new(given.outputs[0], factor)
+    group.links.new(geometry.outputs["Normal"], vectors[0])
+    group.links.new(normal, vectors[1])
+    for row, node in enumerate((length, given, geometry, choice)):
+        node.location = (row * _COLUMN, 2 * _ROW)
+    return choice.outputs[1]
+
+
+def _arrange(nodes: dict[str, bpy.types.Node], graph: Graph) -> None:
+    depths = graph.depths()
+    rightmost = max(depths.values()) + 1
+    depths[GROUP_INPUT] = rightmost
+    rows: dict[int, int] = {}
+    for name, node in nodes.items():
+        depth = depths.get(name, rightmost)
+        row = rows.get(depth, 0)
+        rows[depth] = row + 1
+        node.location = ((rightmost - depth) * _COLUMN, -row * _ROW)

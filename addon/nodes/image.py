@@ -1,0 +1,67 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables as packed images, so that a .blend carries everything that it needs."""
+
+from __future__ import annotations
+
+import bpy
+import numpy as np
+
+from ..core.manifest import CompiledMaterial, ManifestError, Table
+
+DIGEST = "nacre_digest"
+
+
+def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
+    """The table's image; one that is in the file already is used again."""
+    for image in bpy.data.images:
+        if image.get(DIGEST) == _key(material, table) and not is_missing(image):
+            return image
+    image = _from_texels(material, table) if material.directory is None else _from_file(material, table)
+    image.colorspace_settings.name = "Non-Color"
+    image.alpha_mode = "NONE"
+    if tuple(image.size) != (table.width, table.height):
+        size = tuple(image.size)
+        bpy.data.images.remove(image)
+        raise ManifestError(
+            f"{table.file}: must be {table.width} x {table.height} texels (got {size[0]} x {size[1]})"
+        )
+    image.pack()
+    image[DIGEST] = _key(material, table)
+    return image
+
+
+def is_missing(image: bpy.types.Image | None) -> bool:
+    """Neither packed into the file nor readable from where it lies."""
+    return image is None or (image.packed_file is None and not image.has_data)
+
+
+def _key(material: CompiledMaterial, table: Table) -> str:
+    return f"{material.digest}:{table.name}"
+
+
+def _from_file(material: CompiledMaterial, table: Table) -> bpy.types.Image:
+    try:
+        image = bpy.data.images.load(str(material.directory / table.file))
+    except RuntimeError as error:
+        raise ManifestError(f"{table.file}: {error}") from error
+    image.name = f"{material.id}_{table.name}"
+    # The path of the machine that made the material says nothing to the one that opens the file.
+    image.filepath_raw = f"//{table.file}"
+    return image
+
+
+def _from_texels(material: CompiledMaterial, table: Table) -> bpy.types.Image:
+    texels = np.asarray(material.texels[table.name], dtype=np.float32)
+    if texels.shape != (table.height, table.width, 3):
+        raise ManifestError(
+            f"table {table.name}: must have shape {(table.height, table.width, 3)} (got {texels.shape})"
+        )
+    image = bpy.data.images.new(
+        f"{material.id}_{table.name}", table.width, table.height, float_buffer=True, is_data=True
+    )
+    rgba = np.ones((table.height, table.width, 4), dtype=np.float32)
+    rgba[..., :3] = texels[::-1]  # Blender's first row is the bottom one
+    image.pixels.foreach_set(rgba.ravel())
+    image.update()
+    return image

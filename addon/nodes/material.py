@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Materials around a material's node group."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import bpy
+
+from ..core.form import OSL
+from ..core.manifest import CompiledMaterial
+from ..core.problems import AssignedMaterial
+from . import group as groups
+from .image import is_missing
+
+
+def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material:
+    material = bpy.data.materials.new(compiled.name)
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    output.location = (300, 0)
+    node = tree.nodes.new("ShaderNodeGroup")
+    node.width = 220
+    try:
+        node.node_tree = groups.material_group(compiled, form)
+    except Exception:
+        bpy.data.materials.remove(material)
+        raise
+    node.name = node.label = compiled.name
+    tree.links.new(node.outputs[0], output.inputs["Surface"])
+    material[groups.SCHEMA] = groups.SCHEMA_VERSION
+    material[groups.MATERIAL] = compiled.id
+    return material
+
+
+def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, form: str) -> None:
+    """Puts the group of another form, or a sound one, in place; keeps values and links."""
+    node = group_node(material)
+    old_group = node.node_tree
+    old = groups.socket_identifiers(old_group)
+    values = {name: _value(node, identifier) for name, identifier in old.items()}
+    feeds = {
+        name: node.inputs[_index(node, identifier)].links[0].from_socket
+        for name, identifier in old.items()
+        if node.inputs[_index(node, identifier)].is_linked
+    }
+    if old_group.get(groups.FORM) == form:
+        old_group[groups.DIGEST] = ""  # a damaged group is not to be found again
+    node.node_tree = groups.material_group(compiled, form)
+    names = groups.socket_identifiers(node.node_tree)
+    set_values(material, {k: v for k, v in values.items() if k in names and v is not None})
+    for name, source in feeds.items():
+        if name in names:
+            material.node_tree.links.new(source, input_socket(material, name))
+    surface = next(n for n in material.node_tree.nodes if n.type == "OUTPUT_MATERIAL")
+    if not surface.inputs["Surface"].is_linked:
+        material.node_tree.links.new(node.outputs[0], surface.inputs["Surface"])
+
+
+def group_node(material: bpy.types.Material | None) -> bpy.types.ShaderNodeGroup | None:
+    """The node that makes a material one of ours, or None."""
+    if material is None or material.node_tree is None:
+        return None
+    for node in material.node_tree.nodes:
+        if node.type == "GROUP" and node.node_tree and groups.MATERIAL in node.node_tree:
+            return node
+    return None
+
+
+def input_socket(material: bpy.types.Material, name: str) -> bpy.types.NodeSocket | None:
+    """The material's input by its manifest name."""
+    node = group_node(material)
+    identifier = groups.socket_identifiers(node.node_tree).get(name)
+    return None if identifier is None else node.inputs[_index(node, identifier)]
+
+
+def set_values(material: bpy.types.Material, values: Mapping[str, Any]) -> None:
+    for name, value in values.items():
+        input_socket(material, name).default_value = value
+
+
+def describe(material: bpy.types.Material) -> AssignedMaterial:
+    tree = group_node(material).node_tree
+    return AssignedMaterial(
+        form=tree.get(groups.FORM, OSL),
+        wavelength_per_path=bool(tree.get(groups.WAVELENGTHS, False)),
+    )
+
+
+def missing_tables(material: bpy.types.Material) -> tuple[str, ...]:
+    nodes = group_node(material).node_tree.nodes
+    return tuple(n.label or n.name for n in nodes if n.type == "TEX_IMAGE" and is_missing(n.image))
+
+
+def _index(node: bpy.types.Node, identifier: str) -> int:
+    return next(i for i, socket in enumerate(node.inputs) if socket.identifier == identifier)
+
+
+def _value(node: bpy.types.Node, identifier: str) -> Any:
+    value = node.inputs[_index(node, identifier)].default_value
+    return value if isinstance(value, (int, float)) else tuple(value)

@@ -1,0 +1,79 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Script nodes that carry their compiled shader and need neither a file nor `oslquery`."""
+
+from __future__ import annotations
+
+import tempfile
+from functools import lru_cache
+from pathlib import Path
+
+import bpy
+
+from ..core.manifest import CompiledMaterial
+from ..core.oso import (
+    OsoError,
+    Parameter,
+    bytecode_hash,
+    parse_parameters,
+    strip_provenance,
+)
+
+_SOCKETS = {
+    "closure color": "NodeSocketShader",
+    "color": "NodeSocketColor",
+    "float": "NodeSocketFloat",
+    "int": "NodeSocketInt",
+    "string": "NodeSocketString",
+    "vector": "NodeSocketVector",
+    "normal": "NodeSocketVector",
+    "point": "NodeSocketVector",
+}
+
+
+def has_osl() -> bool:
+    return bpy.app.build_options.cycles_osl
+
+
+def fill_script_node(node: bpy.types.ShaderNodeScript, material: CompiledMaterial) -> None:
+    """Embeds the shader as bytecode and makes the sockets from its parameters."""
+    text = strip_provenance(material.bytecode or _compile(material.id, material.osl))
+    node.mode = "INTERNAL"
+    node.bytecode = text
+    node.bytecode_hash = bytecode_hash(text)
+    for parameter in parse_parameters(text):
+        _add_socket(node, parameter)
+
+
+def _add_socket(node: bpy.types.ShaderNodeScript, parameter: Parameter) -> None:
+    kind = _SOCKETS.get(parameter.type)
+    if kind is None:  # arrays and structures have no socket; the shader keeps their default
+        return
+    sockets = node.outputs if parameter.is_output else node.inputs
+    socket = sockets.new(type=kind, name=parameter.label, identifier=parameter.name)
+    default = parameter.default
+    if parameter.is_output or default is None:
+        return
+    if kind == "NodeSocketString":
+        socket.default_value = default
+    elif kind == "NodeSocketFloat":
+        socket.default_value = default[0]
+    elif kind == "NodeSocketInt":
+        socket.default_value = int(default[0])
+    elif kind == "NodeSocketColor":
+        socket.default_value = (*default, 1.0)
+    else:
+        socket.default_value = default
+
+
+@lru_cache(maxsize=64)
+def _compile(material_id: str, source: str) -> str:
+    import _cycles
+
+    with tempfile.TemporaryDirectory(prefix="nacre-") as folder:
+        osl = Path(folder, f"{material_id}.osl")
+        oso = osl.with_suffix(".oso")
+        osl.write_text(source, "utf-8")
+        if not _cycles.osl_compile(str(osl), str(oso)):
+            raise OsoError(f"{material_id}.osl does not compile; the console tells why")
+        return oso.read_text("utf-8")
