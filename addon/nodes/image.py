@@ -20,13 +20,15 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     image = _from_texels(material, table) if material.directory is None else _from_file(material, table)
     image.colorspace_settings.name = "Non-Color"
     image.alpha_mode = "NONE"
+    image.pack()
+    # The path of the machine that made the material says nothing to the one that opens the file.
+    image.filepath_raw = f"//{table.file}"
     if tuple(image.size) != (table.width, table.height):
         size = tuple(image.size)
         bpy.data.images.remove(image)
         raise ManifestError(
             f"{table.file}: must be {table.width} x {table.height} texels (got {size[0]} x {size[1]})"
         )
-    image.pack()
     image[DIGEST] = _key(material, table)
     return image
 
@@ -46,8 +48,6 @@ def _from_file(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     except RuntimeError as error:
         raise ManifestError(f"{table.file}: {error}") from error
     image.name = f"{material.id}_{table.name}"
-    # The path of the machine that made the material says nothing to the one that opens the file.
-    image.filepath_raw = f"//{table.file}"
     return image
 
 

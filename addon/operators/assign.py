@@ -1,0 +1,113 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Give the selected objects a wave material."""
+
+from __future__ import annotations
+
+import bpy
+from bpy.props import BoolProperty, EnumProperty
+
+from ..core.form import AUTO, NODES, OSL, choose_form
+from ..core.library import Library
+from ..core.manifest import CompiledMaterial
+from ..nodes import scene as scene_setup
+from ..nodes.material import create_material
+from ..properties import FORMS
+from .guard import reports_errors
+
+# Blender keeps no reference to the texts of a computed list of items.
+_items: list[tuple[str, str, str, str, int]] = []
+
+
+def material_items(_self, _context):
+    entries = Library.default().entries().values()
+    fresh = [
+        (entry.id, entry.name, entry.description, "MATERIAL", index)
+        for index, entry in enumerate(entries)
+    ]
+    if fresh != _items:
+        _items[:] = fresh
+    return _items
+
+
+class NACRE_OT_assign_material(bpy.types.Operator):
+    bl_idname = "nacre.assign_material"
+    bl_label = "Assign Wave Material"
+    bl_description = "Give the selected objects a material whose colour comes from waves"
+    bl_options = {"REGISTER", "UNDO"}
+    bl_property = "material"
+
+    material: EnumProperty(name="Material", description="Material to assign", items=material_items)
+    form: EnumProperty(
+        name="Form",
+        description="Which form the material takes",
+        items=FORMS,
+        default=AUTO,
+        options={"SKIP_SAVE"},
+    )
+    new_slot: BoolProperty(
+        name="New Slot",
+        description="Add a material slot instead of replacing the material of the active one",
+        default=False,
+    )
+
+    @classmethod
+    def poll(cls, context):
+        if not _targets(context):
+            cls.poll_message_set("Select an object that can have a material")
+            return False
+        return True
+
+    def invoke(self, context, _event):
+        self.form = context.scene.nacre.form
+        if self.properties.is_property_set("material"):
+            return self.execute(context)
+        context.window_manager.invoke_search_popup(self)
+        return {"RUNNING_MODAL"}
+
+    @reports_errors
+    def execute(self, context):
+        if not self.material:
+            self.report({"ERROR"}, "There are no compiled materials; reinstall the extension")
+            return {"CANCELLED"}
+        compiled = Library.default().load(self.material)
+        requested = self.form if self.form != AUTO else context.scene.nacre.form
+        form = choose_form(compiled, requested, scene_setup.renderer(context.scene))
+        material = create_material(compiled, form)
+        targets = _targets(context)
+        for target in targets:
+            _put(target, material, self.new_slot)
+        self.report({"INFO"}, " ".join(_describe(context.scene, compiled, form, targets)))
+        return {"FINISHED"}
+
+
+def _describe(scene, compiled: CompiledMaterial, form: str, targets: list) -> list[str]:
+    """Sets up the scene, and says what was done to it."""
+    count = targets[0].name if len(targets) == 1 else f"{len(targets)} objects"
+    said = [f"{compiled.name} assigned to {count}."]
+    if form == OSL:
+        if scene_setup.use_osl(scene):
+            said.append("Cycles now renders with Open Shading Language.")
+        if compiled.wavelength_per_path and scene_setup.use_wavelengths(scene):
+            said.append("Motion blur is on with a shutter of 0: it carries the wavelengths.")
+    elif form == NODES and compiled.negative_gamut:
+        said.append("As nodes, colours outside the gamut are clipped.")
+    return said
+
+
+def _targets(context) -> list[bpy.types.Object]:
+    """The active object and the selected ones that take materials, each once."""
+    chosen = [context.active_object, *(context.selected_objects or ())]
+    unique = dict.fromkeys(obj for obj in chosen if obj is not None)
+    return [obj for obj in unique if hasattr(obj.data, "materials") and obj.is_editable]
+
+
+def _put(obj: bpy.types.Object, material: bpy.types.Material, new_slot: bool) -> None:
+    if new_slot or not obj.material_slots:
+        obj.data.materials.append(material)
+        obj.active_material_index = len(obj.material_slots) - 1
+    else:
+        obj.material_slots[obj.active_material_index].material = material
+
+
+CLASSES = (NACRE_OT_assign_material,)

@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Settings of the extension that belong to a scene."""
+
+from __future__ import annotations
+
+import bpy
+from bpy.props import EnumProperty
+
+# The numbers are stored in .blend files: append, never reorder.
+FORMS = (
+    ("auto", "Automatic", "Open Shading Language where the renderer runs it, else nodes", 0),
+    ("osl", "Open Shading Language", "Exact colours; Cycles on the CPU or with OptiX", 1),
+    ("nodes", "Nodes", "Works in EEVEE and on every GPU; colours outside the gamut are clipped", 2),
+)
+
+
+class NACRE_PG_scene(bpy.types.PropertyGroup):
+    form: EnumProperty(
+        name="Form",
+        description="Which form new wave materials take",
+        items=FORMS,
+        default="auto",
+    )

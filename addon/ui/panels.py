@@ -1,0 +1,96 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The panel in Properties > Material, and the entries in menus."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..core.form import NODES, OSL
+from ..core.problems import find_problems
+from ..nodes import group as groups
+from ..nodes import scene as scene_setup
+from ..nodes.material import describe, group_node, missing_tables
+
+
+class NACRE_PT_material(bpy.types.Panel):
+    bl_label = "Wave Optics"
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "material"
+    bl_order = 0
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and hasattr(context.object.data, "materials")
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = True
+        material = context.object.active_material
+        node = group_node(material)
+        row = layout.row(align=True)
+        row.operator_context = "INVOKE_DEFAULT"
+        label = "Assign Wave Material…" if node is None else "Replace by Another…"
+        row.operator("nacre.assign_material", text=label, icon="SHADING_RENDERED")
+        layout.prop(context.scene.nacre, "form", text="New Materials As")
+        if node is not None:
+            _draw_problems(layout, context, material)
+            _draw_sockets(layout, node)
+            _draw_form(layout, node)
+
+
+def _draw_problems(layout, context, material) -> None:
+    state = scene_setup.state(context.scene, missing_tables(material))
+    for problem in find_problems(describe(material), state):
+        box = layout.box()
+        box.label(text=problem.text, icon="ERROR")
+        if problem.operator:
+            box.operator(problem.operator, text=problem.action)
+
+
+def _draw_sockets(layout, node) -> None:
+    column = layout.column()
+    for socket in node.inputs:
+        if socket.hide_value:
+            continue
+        if socket.is_linked:
+            row = column.row()
+            row.label(text=socket.name)
+            row.label(text="Linked", icon="LINKED")
+        else:
+            column.prop(socket, "default_value", text=socket.name)
+
+
+def _draw_form(layout, node) -> None:
+    tree = node.node_tree
+    form = tree.get(groups.FORM)
+    row = layout.row(align=True)
+    names = {OSL: "Open Shading Language", NODES: "Nodes"}
+    row.label(text=f"{tree.name}, as {names.get(form, form)}", icon="NODETREE")
+    if form == NODES and scene_setup.has_osl():
+        row.operator("nacre.rebuild_material", text="Use OSL").form = OSL
+    elif form == OSL and not tree.get(groups.WAVELENGTHS, False):
+        row.operator("nacre.rebuild_material", text="Use Nodes").form = NODES
+
+
+def _draw_menu_entry(self, _context) -> None:
+    self.layout.operator_context = "INVOKE_DEFAULT"
+    self.layout.operator("nacre.assign_material", icon="SHADING_RENDERED")
+
+
+_MENUS = ("VIEW3D_MT_object", "MATERIAL_MT_context_menu")
+
+
+def add_to_menus() -> None:
+    for name in _MENUS:
+        getattr(bpy.types, name).append(_draw_menu_entry)
+
+
+def remove_from_menus() -> None:
+    for name in _MENUS:
+        getattr(bpy.types, name).remove(_draw_menu_entry)
+
+
+CLASSES = (NACRE_PT_material,)
