@@ -52,11 +52,13 @@ double gas_sum(Coefficients c, double um) noexcept
     return sum;
 }
 
+/// Formula 7; the sixth coefficient may be left out.
 double herzberger(Coefficients c, double um) noexcept
 {
+    const double c6 = c.size() > 5 ? c[5] : 0.0;
     const double um2 = um * um;
     const double l = 1.0 / (um2 - 0.028);
-    return c[0] + c[1] * l + c[2] * l * l + um2 * (c[3] + um2 * (c[4] + um2 * c[5]));
+    return c[0] + c[1] * l + c[2] * l * l + um2 * (c[3] + um2 * (c[4] + um2 * c6));
 }
 
 double retro(Coefficients c, double um) noexcept
@@ -107,16 +109,18 @@ std::string coefficient_count_problem(int formula, std::size_t count)
         std::size_t fewest, most;
         bool pairs;  // after the first
     };
-    constexpr Rule kRules[] = {{3, 17, true}, {3, 17, true}, {3, 17, true},
-                               {9, 17, true}, {3, 17, true}, {3, 17, true},
-                               {6, 6, false}, {4, 4, false}, {6, 6, false}};
-    const Rule& rule = kRules[formula - 1];
-    const bool good = count >= rule.fewest && count <= rule.most && (!rule.pairs || count % 2 == 1);
-    if (good) return {};
-    if (rule.pairs)
+    constexpr Rule kRules[] = {
+        {3, 17, true}, {3, 17, true}, {3, 17, true}, {9, 17, true}, {3, 17, true},
+        {3, 17, true}, {5, 6, false}, {4, 4, false}, {6, 6, false},
+    };
+    const auto [fewest, most, pairs] = kRules[formula - 1];
+    if (count >= fewest && count <= most && (!pairs || count % 2 == 1)) return {};
+    if (pairs)
         return fmt::format("formula {} takes an odd number of coefficients, {} … {} (got {})",
-                           formula, rule.fewest, rule.most, count);
-    return fmt::format("formula {} takes {} coefficients (got {})", formula, rule.most, count);
+                           formula, fewest, most, count);
+    const std::string wanted =
+        fewest == most ? fmt::format("{}", most) : fmt::format("{} … {}", fewest, most);
+    return fmt::format("formula {} takes {} coefficients (got {})", formula, wanted, count);
 }
 
 }  // namespace nacre::spectral

@@ -73,6 +73,30 @@ std::vector<double> with_sprague_ends(const std::vector<double>& values)
     return extended;
 }
 
+/// Samples in equal steps and what lies between them.
+class SpragueCurve {
+public:
+    SpragueCurve(double first_nm, double step_nm, const std::vector<double>& values)
+        : first_nm_(first_nm), step_nm_(step_nm), extended_(with_sprague_ends(values))
+    {}
+
+    /// @pre within the samples
+    [[nodiscard]] double at(double nm) const
+    {
+        const double position = (nm - first_nm_) / step_nm_;
+        // Rounding may put the last sample a hair beyond its own position.
+        const auto sample = std::min(static_cast<std::size_t>(position), extended_.size() - 6);
+        const double x = position - static_cast<double>(sample);
+        std::array<double, 6> around;
+        std::copy_n(extended_.begin() + static_cast<std::ptrdiff_t>(sample), 6, around.begin());
+        return x == 1.0 ? around[3] : sprague(around, x);
+    }
+
+private:
+    double first_nm_, step_nm_;
+    std::vector<double> extended_;
+};
+
 }  // namespace
 
 Spectrum::Spectrum(std::vector<double> wavelengths_nm, std::vector<double> values)
@@ -119,24 +143,16 @@ Sampled Spectrum::on_grid(Interpolation interpolation) const
                           .field = "wavelength_nm",
                           .message = fmt::format("must overlap {} … {} nm (got {} … {})", kFirstNm,
                                                  kLastNm, first_nm(), last_nm())});
-    const bool is_sprague = interpolation == Interpolation::sprague;
-    const std::vector<double> extended =
-        is_sprague ? with_sprague_ends(values_) : std::vector<double>{};
-    const auto intervals = static_cast<double>(values_.size() - 1);
-    const double step = (last_nm() - first_nm()) / intervals;
-
     Sampled sampled;
-    for (std::size_t i = 0; i < kWavelengths; ++i) {
-        const double nm = std::clamp(wavelength_nm(i), first_nm(), last_nm());
-        if (!is_sprague) {
-            sampled[i] = at(nm);
-            continue;
-        }
-        const double position = (nm - first_nm()) / step;
-        const double whole = std::clamp(std::floor(position), 0.0, intervals - 1.0);
-        std::array<double, 6> around;
-        std::copy_n(extended.begin() + static_cast<std::ptrdiff_t>(whole), 6, around.begin());
-        sampled[i] = sprague(around, position - whole);
+    const auto fill = [&](const auto& curve) {
+        for (std::size_t i = 0; i < kWavelengths; ++i)
+            sampled[i] = curve.at(std::clamp(wavelength_nm(i), first_nm(), last_nm()));
+    };
+    if (interpolation == Interpolation::sprague) {
+        const double step = (last_nm() - first_nm()) / static_cast<double>(values_.size() - 1);
+        fill(SpragueCurve(first_nm(), step, values_));
+    } else {
+        fill(*this);
     }
     return sampled;
 }

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <thread>
+#include <vector>
+
+#include "nacre/spectral/optical_constants.h"
+#include "support/expect.h"
+
+namespace nacre::spectral {
+namespace {
+
+TEST(Library, EveryEntryParsesAndHasACitation)
+{
+    const auto keys = library_keys();
+    EXPECT_GE(keys.size(), 50u);
+    EXPECT_TRUE(std::ranges::is_sorted(keys));
+    for (const auto& key : keys) {
+        const Medium& medium = library_medium(key);
+        EXPECT_EQ(medium.key, key);
+        EXPECT_NE(medium.name, "") << key;
+        EXPECT_NE(medium.references, "") << key;
+        const auto [first, last] = medium.constants->range_nm();
+        for (const double nm : {first, (first + std::min(last, 2000.0)) / 2.0})
+            EXPECT_GT(medium.constants->at(nm).real(), 0.0) << key << ' ' << nm;
+    }
+}
+
+// What the supplied templates and the documentation name.
+TEST(Library, HoldsTheMediaOfTheTemplates)
+{
+    for (const char* key :
+         {"water/Daimon-20C", "Fe3O4/Querry", "Fe/Johnson", "Ti/Johnson", "TiO2/Sarkar",
+          "SiO2/Malitson", "MgF2/Dodge-o", "Cr/Johnson", "Al/Rakic", "Au/Johnson", "Ag/Johnson",
+          "Cu/Johnson", "Ni/Johnson", "Si/Green-2008", "N-BK7/SCHOTT", "Nb2O5/Lemarchand"}) {
+        const auto [first, last] = library_medium(key).constants->range_nm();
+        EXPECT_LE(first, 360.0) << key;
+        EXPECT_GE(last, 830.0) << key;
+        EXPECT_EQ(library_medium(key).constants->on_grid().size(), kWavelengths);
+    }
+}
+
+// Daimon and Masumura 2007, table 5: 20.0 °C, d line. SCHOTT and Peter: n_d. Johnson and Christy
+// 1972 and 1974, Rakic 1995 and Querry 1985: rows of their tables.
+TEST(Library, HasThePublishedIndices)
+{
+    EXPECT_NEAR(library_medium("water/Daimon-20C").constants->at(587.5618).real(), 1.33340, 5e-6);
+    EXPECT_NEAR(library_medium("N-BK7/SCHOTT").constants->at(587.5618).real(), 1.51680, 5e-6);
+    EXPECT_NEAR(library_medium("N-SF11/SCHOTT").constants->at(587.5618).real(), 1.78472, 5e-6);
+    EXPECT_NEAR(library_medium("SiO2/Malitson").constants->at(587.5618).real(), 1.45846, 5e-6);
+    EXPECT_NEAR(library_medium("diamond/Peter").constants->at(587.5618).real(), 2.4175, 5e-5);
+    EXPECT_COMPLEX_NEAR(library_medium("Ag/Johnson").constants->at(582.1), Complex(0.05, 3.858),
+                        1e-12);
+    EXPECT_COMPLEX_NEAR(library_medium("Fe/Johnson").constants->at(451.0), Complex(2.59, 2.77),
+                        1e-12);
+    EXPECT_COMPLEX_NEAR(library_medium("Fe3O4/Querry").constants->at(500.0), Complex(2.359, 0.071),
+                        1e-12);
+}
+
+TEST(Library, AirAndVacuumAreOne)
+{
+    for (const char* key : {"air", "vacuum"})
+        EXPECT_EQ(library_medium(key).constants->at(500.0), Complex(1.0, 0.0));
+}
+
+TEST(Library, SuggestsWhatMayHaveBeenMeant)
+{
+    EXPECT_INPUT_ERROR((void)library_medium("Water/daimon-20"),
+                       "medium: must be a key of the library, perhaps water/Daimon-20C");
+    EXPECT_INPUT_ERROR((void)library_medium("BK7/SCHOTT"), "perhaps N-BK7/SCHOTT");
+    EXPECT_INPUT_ERROR((void)library_medium("TiO2"), "TiO2/Sarkar");
+    EXPECT_INPUT_ERROR((void)library_medium("unobtainium/Cameron"),
+                       "must be a key of the library (got 'unobtainium/Cameron')");
+    EXPECT_INPUT_ERROR((void)library_medium(""), "must be a key of the library");
+    EXPECT_INPUT_ERROR((void)library_medium("../cmf/cie_1931_2deg_1nm"), "must be a key");
+}
+
+TEST(Library, OutOfRangeNamesMediumAndRange)
+{
+    EXPECT_INPUT_ERROR(
+        (void)library_medium("diamond/Peter").constants->on_grid(),
+        "diamond/Peter: wavelength_nm: must be within the data, 226 … 760 nm (got 761)");
+    EXPECT_INPUT_ERROR((void)library_medium("SF11/SCHOTT").constants->at(360.0),
+                       "390 … 2500 nm (got 360)");
+}
+
+TEST(Library, IsTheSameFromManyThreads)
+{
+    std::vector<const Medium*> seen(8);
+    {
+        std::vector<std::jthread> threads;
+        for (auto& medium : seen)
+            threads.emplace_back([&medium] { medium = &library_medium("Cu/Johnson"); });
+    }
+    for (const Medium* medium : seen) EXPECT_EQ(medium, seen.front());
+}
+
+}  // namespace
+}  // namespace nacre::spectral

@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <string>
+
+#include "nacre/core/file_io.h"
+#include "nacre/spectral/optical_constants.h"
+#include "support/expect.h"
+
+namespace nacre::spectral {
+namespace {
+
+Medium parse(const std::string& text)
+{
+    return parse_refractiveindex_yaml(text, "test.yml");
+}
+
+std::string formula_yaml(int number, const std::string& range, const std::string& coefficients)
+{
+    return "DATA:\n  - type: formula " + std::to_string(number) +
+           "\n    wavelength_range: " + range + "\n    coefficients: " + coefficients + "\n";
+}
+
+std::string table_yaml(const std::string& type, const std::string& rows)
+{
+    return "DATA:\n  - type: tabulated " + type + "\n    data: |\n" + rows;
+}
+
+// Coefficients from the refractiveindex.info database: SiO2 Malitson, N-BK7 SCHOTT, PMMA Beadie,
+// TiO2 Devore-o, HfO2 Al-Kuhaili, Ar Bideau-Mehu, Si Edwards, AgBr Schröter, urea Rosker-e.
+// Values: the formulas of refractiveindex.info evaluated with 30 digits (mpmath).
+TEST(Formula, MatchesAnIndependentEvaluation)
+{
+    struct Case {
+        int formula;
+        const char *range, *coefficients;
+        double nm, n;
+    };
+    const Case cases[] = {
+        {1, "0.21 6.7", "0 0.6961663 0.0684043 0.4079426 0.1162414 0.8974794 9.896161", 587.6,
+         1.4584623420532409},
+        {2, "0.3 2.5", "0 1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653",
+         587.6, 1.5167984379050087},
+        {3, "0.42 1.62",
+         "2.1778 6.1209e-3 2 -1.5004e-3 4 2.3678e-2 -2 -4.2137e-3 -4 7.3417e-4 -6 -4.5042e-5 -8",
+         587.6, 1.4925258261424658},
+        {4, "0.43 1.53", "5.913 0.2441 0 0.0803 1 0 0 0 1", 587.6, 2.6142347434687979},
+        {5, "0.2 2.0", "1.875 6.28e-3 -2 5.80e-4 -4", 587.6, 1.8980536675182515},
+        {6, "0.1404 0.5677", "0 2.50141e-3 91.012 5.00283e-4 87.892 5.22343e-2 214.02", 354.05,
+         1.0002898975595027},
+        {7, "2.4373 25", "3.41983 0.159906 -0.123109 1.26878E-6 -1.95104E-9", 13718.65,
+         3.4208459842508224},
+        {8, "0.495 0.67", "0.452505 0.09939 0.070537 -0.000150", 587.6, 2.2579318545687375},
+        {9, "0.3 1.06", "2.51527 0.0240 0.0300 0.020 1.52 0.8771", 587.6, 1.6064609483362371},
+    };
+    for (const auto& [formula, range, coefficients, nm, n] : cases) {
+        const Medium medium = parse(formula_yaml(formula, range, coefficients));
+        EXPECT_NEAR(medium.constants->at(nm).real(), n, 1e-15 * n * 4) << "formula " << formula;
+        EXPECT_EQ(medium.constants->at(nm).imag(), 0.0);
+    }
+}
+
+// Formula 4 with a fraction that is padded by zeros has no pole at 1 µm.
+TEST(Formula, PaddedFractionIsNoPole)
+{
+    const Medium rutile = parse(formula_yaml(4, "0.43 1.53", "5.913 0.2441 0 0.0803 1 0 0 0 0"));
+    EXPECT_NEAR(rutile.constants->at(1000.0).real(), std::sqrt(5.913 + 0.2441 / 0.9197), 1e-14);
+}
+
+TEST(Formula, CountsItsCoefficients)
+{
+    EXPECT_INPUT_ERROR(parse(formula_yaml(1, "0.2 1", "0 1 0.1 2")),
+                       "test.yml:4: DATA[0].coefficients: formula 1 takes an odd number of "
+                       "coefficients, 3 … 17 (got 4)");
+    EXPECT_INPUT_ERROR(parse(formula_yaml(4, "0.2 1", "1 2 3 4 5 6 7")), "9 … 17 (got 7)");
+    EXPECT_INPUT_ERROR(parse(formula_yaml(7, "0.2 1", "1 2 3")), "formula 7 takes 5 … 6");
+    EXPECT_INPUT_ERROR(parse(formula_yaml(8, "0.2 1", "1 2 3 4 5")),
+                       "formula 8 takes 4 coefficients (got 5)");
+    EXPECT_INPUT_ERROR(parse(formula_yaml(9, "0.2 1", "1")), "formula 9 takes 6 coefficients");
+    EXPECT_INPUT_ERROR(parse(formula_yaml(2, "0.2 1", "0 nan 1")), "must be finite (got nan)");
+    EXPECT_INPUT_ERROR(parse(formula_yaml(2, "0.2 1", "0 one 1")), "must be numbers");
+}
+
+TEST(Formula, ChecksItsRange)
+{
+    const char* const wanted = "wavelength_range: must be two ascending wavelengths in µm";
+    EXPECT_INPUT_ERROR(parse(formula_yaml(2, "1 0.2", "0 1 0.01")), wanted);
+    EXPECT_INPUT_ERROR(parse(formula_yaml(2, "0.2", "0 1 0.01")), wanted);
+    EXPECT_INPUT_ERROR(parse(formula_yaml(2, "0 1", "0 1 0.01")), wanted);
+    EXPECT_INPUT_ERROR(parse(formula_yaml(2, "0.2 inf", "0 1 0.01")), wanted);
+    const auto glass = parse(formula_yaml(2, "0.4 0.7", "0 1 0.01")).constants;
+    EXPECT_EQ(glass->range_nm(), (std::array<double, 2>{400.0, 700.0}));
+    EXPECT_NO_THROW((void)glass->at(400.0));
+    EXPECT_NO_THROW((void)glass->at(700.0));
+    EXPECT_INPUT_ERROR((void)glass->at(399.9), "must be within the data, 400 … 700 nm (got 399.9)");
+    EXPECT_INPUT_ERROR((void)glass->at(std::nan("")), "(got nan)");
+}
+
+TEST(Formula, HasNoIndexBetweenPoleAndZero)
+{
+    const auto medium = parse(formula_yaml(2, "0.2 1", "0 1 0.3")).constants;
+    EXPECT_INPUT_ERROR((void)medium->at(500.0), "give no index n > 0 at 500 nm");
+}
+
+TEST(Table, IsLinearInNAndK)
+{
+    const auto medium = parse(table_yaml("nk",
+                                         "        0.4 1.0 0.5\n"
+                                         "        0.5 2.0 0.1\n"
+                                         "        0.6 1.5 0.3\n"))
+                            .constants;
+    EXPECT_EQ(medium->range_nm(), (std::array<double, 2>{400.0, 600.0}));
+    EXPECT_EQ(medium->at(400.0), Complex(1.0, 0.5));
+    EXPECT_EQ(medium->at(600.0), Complex(1.5, 0.3));
+    EXPECT_COMPLEX_NEAR(medium->at(425.0), Complex(1.25, 0.4), 1e-15);
+    EXPECT_COMPLEX_NEAR(medium->at(590.0), Complex(1.55, 0.28), 1e-15);
+}
+
+TEST(Table, NAndKMayStandApartAndShareTheRangeOfBoth)
+{
+    const std::string n = "  - type: tabulated n\n    data: |\n        0.3 1.5\n        0.9 1.7\n";
+    const std::string k = "  - type: tabulated k\n    data: |\n        0.4 0.0\n        1.2 0.8\n";
+    for (const auto& text : {"DATA:\n" + n + k, "DATA:\n" + k + n}) {
+        const auto medium = parse(text).constants;
+        EXPECT_EQ(medium->range_nm(), (std::array<double, 2>{400.0, 900.0}));
+        EXPECT_COMPLEX_NEAR(medium->at(600.0), Complex(1.6, 0.2), 1e-15);
+        EXPECT_INPUT_ERROR((void)medium->at(350.0), "400 … 900 nm (got 350)");
+    }
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        0.3 1.5\n        0.4 1.6\n") +
+                             "  - type: tabulated k\n    data: |\n        0.5 0.1\n"),
+                       "n and k must have wavelengths in common");
+    EXPECT_EQ(parse(table_yaml("n", "        0.5 1.5\n")).constants->at(500.0), Complex(1.5, 0.0));
+}
+
+TEST(Table, NamesTheLineOfEveryBadRow)
+{
+    const std::string text = "REFERENCES: |\n    x\n" + table_yaml("nk",
+                                                                   "        0.4 1.0 0.5\n"
+                                                                   "        0.5 -1 0.1\n"
+                                                                   "        0.45 1.5 -0.3\n"
+                                                                   "        0.6 1.5\n"
+                                                                   "        0.7 x 0\n"
+                                                                   "        0.8 nan 0\n");
+    EXPECT_EQ(test::input_error_of([&] { parse(text); }),
+              "test.yml:10: DATA[0].data: must be numbers (got '0.7 x 0')\n"
+              "test.yml:7: DATA[0].data: n must be finite and > 0 (got -1)\n"
+              "test.yml:8: DATA[0].data: wavelengths must be finite, > 0 and ascending (got 0.45 "
+              "after 0.5)\n"
+              "test.yml:8: DATA[0].data: k must be finite and ≥ 0 (got -0.3)\n"
+              "test.yml:9: DATA[0].data: must have 3 numbers a row (got 2)\n"
+              "test.yml:11: DATA[0].data: n must be finite and > 0 (got nan)");
+}
+
+TEST(Table, RefusesRepeatedAndImpossibleWavelengths)
+{
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        0.4 1\n        0.4 1\n")), "ascending");
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        0 1\n")), "> 0 and ascending (got 0");
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        -1 1\n")), "ascending (got -1");
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        inf 1\n")), "finite");
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        0.4 0\n")), "n must be finite and > 0");
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        0.4 1e999\n")), "must be numbers");
+}
+
+TEST(RefractiveIndexYaml, ReadsTextAndNames)
+{
+    const Medium medium = parse(
+        "NAMES:\n  - Titanium dioxide, TiO<sub>2</sub>\n"
+        "REFERENCES: |\n    A. Author.\n    <i>Journal</i> <b>1</b>, 2\n"
+        "COMMENTS: |\n    film\n" +
+        table_yaml("n", "        0.4 1.5\n"));
+    EXPECT_EQ(medium.key, "test.yml");
+    EXPECT_EQ(medium.name, "Titanium dioxide, TiO2");
+    EXPECT_EQ(medium.references, "A. Author.\nJournal 1, 2");
+    EXPECT_EQ(medium.comments, "film");
+    EXPECT_EQ(parse(table_yaml("n", "        0.4 1.5\n")).name, "test.yml");
+}
+
+TEST(RefractiveIndexYaml, SaysWhatDataMustBe)
+{
+    const char* const list = "DATA: must be a list of tables and formulas";
+    for (const char* text : {"", "x", "DATA:", "DATA: 1", "DATA: []", "[1, 2]", "NAMES: [a]", "~"})
+        EXPECT_INPUT_ERROR(parse(text), list);
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - 1\n"), "test.yml:2: DATA[0].type: is missing");
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - type: [a]\n"), "DATA[0].type: is missing");
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - type: formula 10\n"),
+                       "must be 'tabulated n', 'tabulated k', 'tabulated nk' or 'formula 1' … "
+                       "'formula 9' (got 'formula 10')");
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - type: formula 0\n"), "(got 'formula 0')");
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - type: tabulated n\n"), "DATA[0].data: is missing");
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - type: tabulated n\n    data: []\n"),
+                       "DATA[0].data: is missing");
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - type: tabulated n\n    data: ''\n"), "must have rows");
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - type: formula 2\n    coefficients: 0 1 1\n"),
+                       "DATA[0].wavelength_range: is missing");
+    EXPECT_INPUT_ERROR(parse(table_yaml("k", "        0.4 1.5\n")), "DATA: must state n");
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        0.4 1\n") +
+                             "  - type: tabulated nk\n    data: |\n        0.4 1 0\n"),
+                       "DATA[1]: n is stated twice");
+}
+
+TEST(RefractiveIndexYaml, RefusesWhatIsNotYaml)
+{
+    EXPECT_INPUT_ERROR(parse("DATA: [1, 2"), "test.yml:1: is not valid YAML");
+    EXPECT_INPUT_ERROR(parse("a: b\nDATA:\n\t- type: x\n"), "test.yml:3: is not valid YAML");
+    EXPECT_INPUT_ERROR(parse("DATA: *nothing\n"), "is not valid YAML");
+    const std::string whole = table_yaml("n", "        0.4 1.5\n        0.5 1.6\n");
+    for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
+        try {  // a truncated file is refused or is a shorter table, never anything else
+            const Medium medium = parse(whole.substr(0, length));
+            EXPECT_GT(medium.constants->at(400.0).real(), 0.0);
+        } catch (const InputError&) {
+        }
+    }
+}
+
+TEST(RefractiveIndexYaml, SurvivesHostileInput)
+{
+    EXPECT_INPUT_ERROR(parse(std::string(kMaxTextBytes + 1, ' ')),
+                       "must not be larger than 16777216 bytes");
+    EXPECT_INPUT_ERROR(parse("DATA: " + std::string(200000, '[')), "is not valid YAML");
+    EXPECT_INPUT_ERROR(parse("DATA: " + std::string(200000, '{')), "is not valid YAML");
+    EXPECT_INPUT_ERROR(parse(std::string("\0\xff\xfe", 3)), "test.yml");
+    // Ten levels of ten aliases each: ten thousand million nodes if they were copied.
+    std::string laughs = "l0: &l0 [a, a, a, a, a, a, a, a, a, a]\n";
+    for (int i = 1; i < 10; ++i) {
+        const std::string before = "*l" + std::to_string(i - 1);
+        laughs += "l" + std::to_string(i) + ": &l" + std::to_string(i) + " [" + before;
+        for (int j = 1; j < 10; ++j) laughs += ", " + before;
+        laughs += "]\n";
+    }
+    EXPECT_INPUT_ERROR(parse(laughs + "DATA: *l9\n"), "DATA[0].type: is missing");
+}
+
+}  // namespace
+}  // namespace nacre::spectral
