@@ -61,7 +61,7 @@ def brilliant(name: str) -> bpy.types.Object:
 
 
 def main() -> None:
-    new_scene("interior", strength=0.25, turn_deg=120.0, exposure=0.3)
+    new_scene("interior", strength=0.25, turn_deg=120.0, exposure=0.8)
     backdrop((0.012, 0.012, 0.016), roughness=0.3)
     for x, y, z, tilt, turn, scale in (
         (0.0, 0.0, 0.86, 0.0, 10.0, 1.0),
@@ -81,7 +81,7 @@ def main() -> None:
             size=0.22,
             watts=70.0,
         )
-    camera((0.0, -6.2, 4.6), (-0.05, 0.1, 0.55), lens_mm=62.0)
+    camera((0.0, -6.2, 4.6), (-0.05, 0.1, 0.55), lens_mm=50.0)
     save(sys.argv[1])
 
 
