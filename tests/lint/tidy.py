@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""clang-tidy over every source of the build; a source whose preprocessed text passed is skipped.
+"""clang-tidy over the library and the tool; a source whose preprocessed text passed is skipped.
 
 usage: tidy.py BUILD_FOLDER
 """
@@ -53,7 +53,8 @@ def main() -> int:
     passed = build.parent / "tidy"
     passed.mkdir(exist_ok=True)
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    ours = [entry for entry in entries if not Path(entry["file"]).is_relative_to(build)]
+    folder = Path.cwd() / "cpp_tools"
+    ours = [entry for entry in entries if Path(entry["file"]).is_relative_to(folder)]
     failures = 0
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         outcomes = pool.map(lambda entry: check(entry, build, passed), ours)
