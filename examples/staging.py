@@ -17,6 +17,7 @@ import bpy
 from mathutils import Vector
 
 EXTENSION = "bl_ext.user_default.nacre"
+LABELS = {"thickness_nm": "Thickness (nm)", "roughness": "Roughness"}
 
 
 def new_scene(
@@ -164,19 +165,17 @@ def bump(material: bpy.types.Material, *, scale: float, strength: float, distanc
 
 
 def wave_material(obj: bpy.types.Object, material_id: str, **values: float) -> bpy.types.Node:
-    """The extension's operator on `obj`; returns the node that carries the material's sockets."""
+    """The extension's operator on `obj`; returns the group node that carries the sockets.
+
+    Values go by name: `roughness`, `thickness_nm`.
+    """
     with bpy.context.temp_override(object=obj, active_object=obj, selected_objects=[obj]):
-        bpy.ops.nacre.assign_wave_material(material=material_id)
+        bpy.ops.nacre.assign_material(material=material_id)
     nodes = obj.active_material.node_tree.nodes
-    node = next(node for node in nodes if any(s.identifier == "thickness_nm" for s in node.inputs))
+    node = next(node for node in nodes if node.type == "GROUP")
     for name, value in values.items():
-        socket(node, name).default_value = value
+        node.inputs[LABELS[name]].default_value = value
     return node
-
-
-def socket(node: bpy.types.Node, name: str) -> bpy.types.NodeSocket:
-    """Sockets are found by identifier, which never changes, not by their label."""
-    return next(item for item in node.inputs if item.identifier == name)
 
 
 def thickness_field(
@@ -220,7 +219,7 @@ def thickness_field(
     to_nm.inputs["To Min"].default_value = low_nm
     to_nm.inputs["To Max"].default_value = high_nm
     links.new(result, to_nm.inputs["Value"])
-    links.new(to_nm.outputs["Result"], socket(node, "thickness_nm"))
+    links.new(to_nm.outputs["Result"], node.inputs[LABELS["thickness_nm"]])
 
 
 def save(path: str) -> None:
