@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""What the documents tell a reader to type works.
+
+A fenced block is run when `<!-- run -->` stands on the line before it; one with
+`<!-- file: NAME -->` is that file, there for the blocks after it.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from conftest import ROOT
+
+DOCUMENTS = ("README.md", "CONTRIBUTING.md")
+BLOCK = re.compile(
+    r"<!-- (run|file: (?P<name>\S+)) -->\n```(?P<language>\w+)\n(?P<text>.*?)```", re.DOTALL
+)
+
+
+def marked_blocks(document: str) -> list[re.Match]:
+    return list(BLOCK.finditer((ROOT / document).read_text(encoding="utf-8")))
+
+
+def run(language: str, text: str, folder: Path, program: Path) -> None:
+    path = os.pathsep.join([str(program.parent), os.environ["PATH"]])
+    packages = str(ROOT / "cpp_tools" / "python")
+    command = {"sh": ["bash", "-euo", "pipefail", "-c"], "python": [sys.executable, "-c"]}[language]
+    result = subprocess.run(
+        [*command, text],
+        cwd=folder,
+        env={**os.environ, "PATH": path, "PYTHONPATH": packages},
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
+    assert result.returncode == 0, f"{text}\n{result.stdout}{result.stderr}"
+
+
+@pytest.mark.parametrize("document", DOCUMENTS)
+def test_commands_of_the_document_run(document, nacre, tmp_path):
+    for block in marked_blocks(document):
+        if block["name"]:
+            (tmp_path / block["name"]).write_text(block["text"], encoding="utf-8")
+        else:
+            run(block["language"], block["text"], tmp_path, nacre.program)
+
+
+def test_readme_has_commands_to_run():
+    languages = [block["language"] for block in marked_blocks("README.md") if not block["name"]]
+    assert {"sh", "python"} <= set(languages)
+
+
+@pytest.mark.parametrize("document", DOCUMENTS)
+def test_links_of_the_document_lead_somewhere(document):
+    text = (ROOT / document).read_text(encoding="utf-8")
+    targets = re.findall(r"\]\(([^)#:]+)\)", text) + re.findall(r'src="([^":]+)"', text)
+    missing = [target for target in targets if not (ROOT / target).exists()]
+    assert not missing
