@@ -41,9 +41,12 @@ def inline(text: str, seen: set[str] | None = None) -> str:
 class Blender:
     """One `bpy`; every call is a process of its own."""
 
-    def __init__(self, python: str, folder: Path):
+    def __init__(self, version: str, python: str, folder: Path):
+        self.version = version
         self.python = python
         self.folder = folder
+        # Cycles changed the direction of t after 5.1; see the test of nacre_table.
+        self.table_origin_top = int(version < "5.2")
 
     def run(self, task: str, **arguments) -> dict:
         job = self.folder / "job.json"
@@ -74,6 +77,10 @@ class Blender:
         answer = self.run("values", osl=inline(osl), count=count)
         return np.load(answer["file"])
 
+    def write_table(self, rows: np.ndarray) -> str:
+        """Path of an EXR with these colours, shape (height, width, 3), row 0 at the top."""
+        return self.run("write_table", rows=np.asarray(rows).tolist())["file"]
+
     def render(self, **arguments) -> np.ndarray:
         """A picture of shape (height, width, 3), row 0 at the top."""
         return np.load(self.run("render", **arguments)["file"])
@@ -85,4 +92,4 @@ def blender(request, tmp_path) -> Blender:
     python = os.environ.get(variable)
     if not python:
         pytest.skip(f"{variable} names no Python with bpy {request.param}")
-    return Blender(python, tmp_path)
+    return Blender(request.param, python, tmp_path)

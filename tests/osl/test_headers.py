@@ -217,8 +217,8 @@ def test_wavelength_of_a_path(blender):
     body = """
     float edges[3] = { 400.0, 500.0, 700.0 };
     color weight[2] = { color(-0.5, 1.0, 2.0), color(2.5, 1.0, 0.0) };
-    float random[5] = { 0.0, 0.25, 0.5, 0.75, 0.9999 };
-    nacre_wavelength drawn = nacre_draw_wavelength(edges, weight, random[i]);
+    float chosen[5] = { 0.0, 0.25, 0.5, 0.75, 0.9999 };
+    nacre_wavelength drawn = nacre_draw_wavelength(edges, weight, chosen[i]);
     value = color(drawn.nm, drawn.weight[0], drawn.weight[2]);"""
     got = blender.values(["nacre_wavelength.h"], body, 5)
     expected = [
@@ -239,3 +239,26 @@ def test_mean_weight_of_all_cells_is_white(blender):
         value = nacre_cumulative(cumulative, i == 1 ? 0.0 : 470.0);"""
     got = blender.values(["nacre_colour_tables.h"], body, 3)
     np.testing.assert_allclose(got, [[1, 1, 1], [0, 0, 0], [1, 1, 1]], atol=2e-6)
+
+
+def test_table_holds_the_ends_of_its_axes_at_the_edges(blender):
+    """Both corners of the diagonal, the middle, and values beyond the axes; row 0 is y = 0."""
+    x, y = np.meshgrid(np.linspace(0, 1, 5), np.linspace(0, 1, 3))
+    path = blender.write_table(np.stack([x, y, np.ones_like(x)], axis=-1))
+    body = (
+        osl_array("xs", [0.0, 1.0, 0.5, 0.1, -1.0, 2.0])
+        + osl_array("ys", [0.0, 1.0, 0.5, 0.8, -1.0, 2.0])
+        + f'value = nacre_table("{path}", xs[i], ys[i], 5, 3, {blender.table_origin_top});'
+    )
+    got = blender.values(["nacre_table.h"], body, 6)
+    expected = [[0, 0, 1], [1, 1, 1], [0.5, 0.5, 1], [0.1, 0.8, 1], [0, 0, 1], [1, 1, 1]]
+    np.testing.assert_allclose(got, expected, atol=2e-3)
+
+
+def test_direction_of_t_is_what_the_version_says(blender):
+    """Cycles changed it after 5.1. A table of two rows shows which way up a texture is."""
+    path = blender.write_table([[[1.0, 0.0, 0.0]], [[0.0, 0.0, 1.0]]])
+    body = f'value = (color)texture("{path}", 0.5, 0.25, 0.0, 0.0, 0.0, 0.0);'
+    got = blender.values([], body, 1)[0]
+    top_row_is_at_low_t = got[0] > got[2]
+    assert top_row_is_at_low_t == bool(blender.table_origin_top), got

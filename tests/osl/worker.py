@@ -142,6 +142,20 @@ def task_values(job: dict, folder: Path) -> dict:
     return save(pixels_of(scene, folder)[0, : job["count"]], folder)
 
 
+def task_write_table(job: dict, folder: Path) -> dict:
+    """An EXR; row 0 of `rows` is the top."""
+    rows = np.asarray(job["rows"], dtype=np.float32)
+    height, width, _ = rows.shape
+    pixels = np.ones((height, width, 4), dtype=np.float32)
+    pixels[..., :3] = rows[::-1]
+    image = bpy.data.images.new("Table", width, height, float_buffer=True, is_data=True)
+    image.pixels.foreach_set(pixels.ravel())
+    image.file_format = "OPEN_EXR"
+    image.filepath_raw = str(folder / "table.exr")
+    image.save()
+    return {"file": image.filepath_raw}
+
+
 def add_sphere(scene, material, offset=(0, 0, 0), radius=1.0):
     bpy.ops.mesh.primitive_uv_sphere_add(
         segments=128, ring_count=64, radius=radius, location=offset
@@ -185,8 +199,13 @@ def task_render(job: dict, folder: Path) -> dict:
 
 def main() -> None:
     job = json.loads(Path(sys.argv[1]).read_text())
-    task = {"compile": task_compile, "values": task_values, "render": task_render}[job["task"]]
-    Path(sys.argv[2]).write_text(json.dumps(task(job, Path(job["folder"]))))
+    tasks = {
+        "compile": task_compile,
+        "values": task_values,
+        "write_table": task_write_table,
+        "render": task_render,
+    }
+    Path(sys.argv[2]).write_text(json.dumps(tasks[job["task"]](job, Path(job["folder"]))))
 
 
 if __name__ == "__main__":

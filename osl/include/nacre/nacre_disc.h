@@ -36,22 +36,22 @@ nacre_grating nacre_disc_grating(nacre_disc_tracks disc, vector lateral, float w
     return grating;
 }
 
-// The mirror image needs no wavelength of its own: its colour is the weighted mean over cells,
-// every fourth of which is enough for a share that is this smooth.
+// The mirror image needs no wavelength of its own: its colour is the weighted mean over all of them.
+// The share of order zero is smooth, so four cells of the path's wavelength make one step.
 color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, float edges[],
                         color weight[])
 {
+    int cells = arraylength(weight);
     color sum = 0.0;
-    color total = 0.0;
-    for (int i = 1; i < arraylength(weight); i += 4) {
-        float nm = 0.5 * (edges[i] + edges[i + 1]);
+    for (int i = 0; i + 4 <= cells; i += 4) {
+        float nm = edges[i + 2];
         nacre_grating grating = nacre_disc_grating(disc, lateral, nm);
         float share = nacre_efficiency(grating, 0)
                       / nacre_propagating_share(grating, lateral, across, nm / disc.pitch_nm);
-        sum += weight[i] * (1.0 + disc.strength * (share - 1.0));
-        total += weight[i];
+        color step = weight[i] + weight[i + 1] + weight[i + 2] + weight[i + 3];
+        sum += step * (1.0 + disc.strength * (share - 1.0));
     }
-    return sum / total;
+    return sum / cells;
 }
 
 // Every order is a mirror lobe around the normal that sends the path where the grating equation
