@@ -7,40 +7,10 @@
 #include <algorithm>
 #include <variant>
 
+#include "nacre/oslgen/literals.h"
+
 namespace nacre::oslgen {
 namespace {
-
-/// Shortest text that reads back as the same single-precision number, always a float in OSL.
-std::string literal(double value)
-{
-    std::string text = fmt::format("{}", static_cast<float>(value));
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
-    return text;
-}
-
-std::string literal(const std::array<double, 3>& colour)
-{
-    return fmt::format("color({}, {}, {})", literal(colour[0]), literal(colour[1]),
-                       literal(colour[2]));
-}
-
-/// `{ a, b, … }` in lines of about 100 characters.
-template <class Values>
-std::string array_literal(const Values& values)
-{
-    std::string result = "{";
-    std::size_t line_start = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        const std::string item = literal(values[i]) + (i + 1 < values.size() ? "," : " }");
-        if (i == 0 || result.size() - line_start + item.size() > 90) {
-            line_start = result.size();
-            result += "\n        " + item;
-        } else {
-            result += ' ' + item;
-        }
-    }
-    return result;
-}
 
 std::string quoted(std::string_view text)
 {

@@ -8,6 +8,7 @@
 
 #include "media.h"
 #include "nacre/oslgen/material_program.h"
+#include "nacre/pipeline/shader_tables.h"
 #include "nacre/spectral/wavelength_sampling.h"
 
 namespace nacre::pipeline {
@@ -20,10 +21,6 @@ using material::StackSpec;
 
 // Fraunhofer lines of the Abbe number: ISO 7944.
 constexpr double kLineF = 486.1327, kLineD = 587.5618, kLineC = 656.2725;
-
-// Cells of the path's wavelength: 64 equal shares of what the eye sees are at most 4 nm wide in the
-// green, finer than a colour can tell.
-constexpr int kWavelengthCells = 64;
 
 // Knots of a glass: cubics between them stay within 1e-7 of any Sellmeier curve of a clear medium.
 constexpr double kKnotStepNm = 10.0;

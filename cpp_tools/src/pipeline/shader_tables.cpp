@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/pipeline/shader_tables.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "nacre/oslgen/literals.h"
+#include "nacre/spectral/wavelength_sampling.h"
+
+namespace nacre::pipeline {
+namespace {
+
+constexpr int kCumulativeStepNm = 5;
+
+/// Σ of the colour weights from 360 nm up to every fifth nm, trapezoidal, 1 at 830 nm.
+std::vector<spectral::Vec3> cumulative_weights(const spectral::ColourWeights& weights)
+{
+    std::vector<spectral::Vec3> result(1 + (spectral::kWavelengths - 1) / kCumulativeStepNm);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const spectral::Sampled& weight = weights.weight[c];
+        double sum = 0.0;
+        for (std::size_t i = 1; i < spectral::kWavelengths; ++i) {
+            sum += 0.5 * (weight[i - 1] + weight[i]);
+            if (i % kCumulativeStepNm == 0) result[i / kCumulativeStepNm][c] = sum;
+        }
+        for (spectral::Vec3& colour : result) colour[c] /= sum;
+    }
+    return result;
+}
+
+constexpr const char* kText = R"(// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+// Written by write_osl_colour_tables; do not edit. Linear Rec.709, D65, CIE 1931 2 degrees.
+
+#define NACRE_FIRST_NM {first}
+#define NACRE_LAST_NM {last}
+
+// A path's wavelength: see nacre_wavelength.h.
+#define NACRE_CELLS {cells}
+#define NACRE_EDGES {edges}
+#define NACRE_WAVELENGTH_EDGES {edge_list}
+#define NACRE_WAVELENGTH_WEIGHT {weight_list}
+
+// Colour of all light from the first wavelength up to every {step}th nm; a perfect white is (1, 1, 1).
+#define NACRE_CUMULATIVE_SIZE {cumulative}
+#define NACRE_CUMULATIVE_WEIGHT {cumulative_list}
+
+color nacre_cumulative(color cumulative[], float offset_nm)
+{{
+    float x = offset_nm / {step}.0;
+    int i = clamp((int)x, 0, NACRE_CUMULATIVE_SIZE - 2);
+    return mix(cumulative[i], cumulative[i + 1], x - i);
+}}
+)";
+
+}  // namespace
+
+std::string colour_tables_header()
+{
+    const spectral::ColourWeights weights = spectral::reflectance_weights(
+        spectral::named_illuminant("D65"), spectral::ObserverId::cie1931,
+        spectral::colour_space("lin_rec709_scene"));
+    const spectral::WavelengthSampling sampling =
+        spectral::sample_wavelengths(weights, kWavelengthCells);
+    const std::vector<spectral::Vec3> cumulative = cumulative_weights(weights);
+    using fmt::arg;
+    return fmt::format(fmt::runtime(kText), arg("first", spectral::kFirstNm),
+                       arg("last", spectral::kLastNm), arg("cells", kWavelengthCells),
+                       arg("edges", kWavelengthCells + 1), arg("step", kCumulativeStepNm),
+                       arg("cumulative", cumulative.size()),
+                       arg("edge_list", oslgen::array_literal(sampling.edges_nm, " \\")),
+                       arg("weight_list", oslgen::array_literal(sampling.weight, " \\")),
+                       arg("cumulative_list", oslgen::array_literal(cumulative, " \\")));
+}
+
+}  // namespace nacre::pipeline
