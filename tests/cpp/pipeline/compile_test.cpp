@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/pipeline/compile.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/core/resources.h"
+
+namespace nacre::pipeline {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string kHead = R"(schema = 1
+[material]
+id = "test"
+name = "Test"
+category = "Tests"
+source = "made up"
+)";
+
+material::MaterialTemplate shipped(const std::string& id)
+{
+    const std::string path = "templates/" + id + ".toml";
+    return material::parse_template(find_resource(path).value(), path);
+}
+
+/// Coarse tables, to be quick.
+CompileOptions quick()
+{
+    CompileOptions options;
+    options.tolerance = 1.0;
+    return options;
+}
+
+std::string problems(const std::string& toml)
+{
+    try {
+        static_cast<void>(compile(material::parse_template(toml, "t.toml"), quick()));
+    } catch (const InputError& error) {
+        std::string result;
+        for (const Diagnostic& problem : error.diagnostics()) result += problem.text() + '\n';
+        return result;
+    }
+    return "";
+}
+
+TEST(Compile, EveryShippedTemplateCompiles)
+{
+    for (const auto path : list_resources("templates/")) {
+        const auto source = material::parse_template(find_resource(path).value(), path);
+        const CompiledMaterial result = compile(source, quick());
+        const Json manifest = Json::parse(result.manifest);
+        EXPECT_EQ(manifest["id"], result.id);
+        EXPECT_EQ(manifest["tables"].size(), result.tables.size());
+        for (std::size_t i = 0; i < result.tables.size(); ++i) {
+            const lut::Table& table = result.tables[i];
+            EXPECT_EQ(manifest["tables"][i]["name"], table.name);
+            EXPECT_EQ(manifest["tables"][i]["width"], table.x.texels);
+            EXPECT_EQ(manifest["tables"][i]["height"], table.y.texels);
+            EXPECT_LE(table.error_max, quick().tolerance) << path << ' ' << table.name;
+        }
+        EXPECT_NE(result.osl.find("shader nacre_" + result.id), std::string::npos);
+    }
+}
+
+TEST(Compile, SoapFilmHasFadingTablesOfBothSides)
+{
+    const CompiledMaterial result = compile(shipped("soap_film"), quick());
+
+    ASSERT_EQ(result.tables.size(), 4u);
+    EXPECT_EQ(result.tables[0].name, "R");
+    EXPECT_EQ(result.tables[1].name, "T");
+    EXPECT_EQ(result.tables[2].name, "R_bare");
+    EXPECT_EQ(result.tables[3].name, "T_bare");
+    EXPECT_EQ(result.tables[2].y.texels, 1);
+    for (const float value : result.tables[2].texels) EXPECT_NEAR(value, 0.0, 1e-7);
+    for (const float value : result.tables[3].texels) EXPECT_NEAR(value, 1.0, 1e-6);
+}
+
+TEST(Compile, ClearFilmLosesNoLight)
+{
+    const CompiledMaterial result = compile(shipped("soap_film"), quick());
+    const lut::Table &r = result.tables[0], &t = result.tables[1];
+    ASSERT_EQ(r.texels.size(), t.texels.size());
+    for (std::size_t i = 0; i < r.texels.size(); ++i)
+        EXPECT_NEAR(r.texels[i] + t.texels[i], 1.0, 1e-5);
+}
+
+/// Catalogue values: SCHOTT N-BK7 1.52238, 1.51680, 1.51432; the rest from their formulas.
+TEST(Compile, GlassStatesItsIndexAtTheFraunhoferLines)
+{
+    const Json lines = Json::parse(compile(shipped("n_bk7"), quick()).manifest)["glass"]["lines"];
+    EXPECT_NEAR(lines["F"].get<double>(), 1.52238, 5e-6);
+    EXPECT_NEAR(lines["d"].get<double>(), 1.51680, 5e-6);
+    EXPECT_NEAR(lines["C"].get<double>(), 1.51432, 5e-6);
+
+    const Json diamond =
+        Json::parse(compile(shipped("diamond"), quick()).manifest)["glass"]["lines"];
+    const double n_d = diamond["d"].get<double>();
+    const double abbe = (n_d - 1.0) / (diamond["F"].get<double>() - diamond["C"].get<double>());
+    EXPECT_NEAR(n_d, 2.41749, 1e-4);
+    EXPECT_NEAR(abbe, 55.3, 0.1);
+}
+
+TEST(Compile, GratingTakesTheColourOfItsMetal)
+{
+    const Json manifest = Json::parse(compile(shipped("cd"), quick()).manifest);
+    EXPECT_EQ(manifest["wavelength_per_path"], true);
+    for (const Json& channel : manifest["sockets"][1]["default"]) {
+        EXPECT_GT(channel.get<double>(), 0.80);
+        EXPECT_LT(channel.get<double>(), 0.92);  // aluminium under polycarbonate
+    }
+}
+
+TEST(Compile, EqualInputGivesEqualBytes)
+{
+    for (const char* id : {"tempered_steel", "sf11", "dvd"}) {
+        const CompiledMaterial first = compile(shipped(id), quick());
+        const CompiledMaterial second = compile(shipped(id), quick());
+        EXPECT_EQ(first.osl, second.osl);
+        EXPECT_EQ(first.manifest, second.manifest);
+        ASSERT_EQ(first.tables.size(), second.tables.size());
+        for (std::size_t i = 0; i < first.tables.size(); ++i)
+            EXPECT_EQ(first.tables[i].texels, second.tables[i].texels);
+    }
+}
+
+TEST(Compile, ReportsEveryUnknownMediumWithItsLine)
+{
+    const std::string text = problems(kHead + R"([ambient]
+medium = "aether"
+[[layer]]
+medium = "Fe3O4/Nobody"
+thickness_nm = 10
+[substrate]
+n = 1.5
+)");
+    EXPECT_NE(text.find("t.toml:8: ambient.medium: "), std::string::npos) << text;
+    EXPECT_NE(text.find("t.toml:10: layer[0].medium: "), std::string::npos) << text;
+}
+
+/// Polycarbonate is measured from 437 nm on; the grid starts at 360 nm.
+TEST(Compile, RefusesDataThatStopShortAndNamesTheirRange)
+{
+    const std::string text = problems(kHead + "[glass]\nmedium = \"PC/Sultanova\"\n");
+    EXPECT_NE(text.find("t.toml:8: glass.medium: "), std::string::npos) << text;
+    EXPECT_NE(text.find("436.8"), std::string::npos) << text;
+}
+
+TEST(Compile, RefusesAMetalAsGlassOrAmbient)
+{
+    const std::string glass = problems(kHead + "[glass]\nmedium = \"Al/Rakic\"\n");
+    EXPECT_NE(glass.find("t.toml:8: glass.medium: must not absorb"), std::string::npos) << glass;
+    const std::string ambient =
+        problems(kHead + "[ambient]\nmedium = \"Al/Rakic\"\n[substrate]\nn = 1.5\n");
+    EXPECT_NE(ambient.find("ambient.medium: must not absorb"), std::string::npos) << ambient;
+}
+
+TEST(FilmRequest, HasTheStackOfTheTemplateOnTheGrid)
+{
+    const lut::FilmTableRequest request = film_request(shipped("dichroic_mirror"), quick());
+    ASSERT_EQ(request.stack.layers.size(), 16u);
+    EXPECT_DOUBLE_EQ(request.stack.layers[1].thickness_nm, 94.2);
+    EXPECT_FALSE(request.stack.layers[15].coherent);
+    EXPECT_TRUE(request.transmittance);
+    ASSERT_TRUE(request.variation.has_value());
+    EXPECT_FALSE(request.variation->layer.has_value());
+    // SiO2, Malitson 1965: 1.4585 at 589 nm.
+    EXPECT_NEAR(request.stack.layers[1].n[589 - 360].real(), 1.4584, 1e-4);
+
+    EXPECT_THROW(static_cast<void>(film_request(shipped("water"), quick())), InputError);
+}
+
+}  // namespace
+}  // namespace nacre::pipeline
