@@ -27,7 +27,8 @@ def tracked_files() -> list[Path]:
 
 def licence_problems(path: Path, lines: list[str]) -> Iterator[str]:
     head = "\n".join(lines[:5])
-    licence = LICENCES.get(path.parts[0], DEFAULT_LICENCE)
+    folder = "osl" if path.suffix == ".osl" else path.parts[0]
+    licence = LICENCES.get(folder, DEFAULT_LICENCE)
     if "SPDX-FileCopyrightText: Nacre contributors" not in head:
         yield "no 'SPDX-FileCopyrightText: Nacre contributors' in the first five lines"
     if f"SPDX-License-Identifier: {licence}" not in head:
