@@ -63,7 +63,9 @@ public:
 private:
     void add(int line, std::string field, std::string message)
     {
-        problems_.add({name_, line, std::move(field), std::move(message)});
+        constexpr int kMost = 50;  // a file of another kind is wrong in every line
+        if (++count_ == kMost) message += "; there is more that is wrong";
+        if (count_ <= kMost) problems_.add({name_, line, std::move(field), std::move(message)});
     }
 
     void read_entry(const YAML::Node& entry, const std::string& field)
@@ -137,33 +139,27 @@ private:
                     fmt::format("must have {} numbers a row (got {})", wanted, numbers.size()));
                 continue;
             }
-            if (!(numbers[0] > previous) || !std::isfinite(numbers[0]))
+            const double um = numbers[0];
+            if (!(um > previous) || !std::isfinite(um))
                 add(line, path,
-                    fmt::format("wavelengths must be finite, > 0 and ascending (got {} "
-                                "after {})",
-                                numbers[0], previous));
-            previous = numbers[0];
-            if (has_n) {
-                check(line, path, "n must be finite and > 0", numbers[1],
-                      numbers[1] > 0.0 && std::isfinite(numbers[1]));
-                n.wavelengths_um.push_back(numbers[0]);
-                n.values.push_back(numbers[1]);
-            }
-            if (has_k) {
-                const double value = numbers.back();
-                check(line, path, "k must be finite and ≥ 0", value,
-                      value >= 0.0 && std::isfinite(value));
-                k.wavelengths_um.push_back(numbers[0]);
-                k.values.push_back(value);
-            }
+                    fmt::format("wavelengths must be finite, > 0 and ascending (got {} after {})",
+                                um, previous));
+            previous = um;
+            if (has_n) append(n, um, numbers[1]);
+            if (has_k) append(k, um, numbers.back());
+            if (has_n && !(numbers[1] > 0.0 && std::isfinite(numbers[1])))
+                add(line, path, fmt::format("n must be finite and > 0 (got {})", numbers[1]));
+            if (has_k && !(numbers.back() >= 0.0 && std::isfinite(numbers.back())))
+                add(line, path, fmt::format("k must be finite and ≥ 0 (got {})", numbers.back()));
         }
         if (has_n) set_n(std::move(n), entry, field);
         if (has_k) set_k(std::move(k), entry, field);
     }
 
-    void check(int line, const std::string& path, const char* rule, double got, bool good)
+    static void append(IndexTable& table, double um, double value)
     {
-        if (!good) add(line, path, fmt::format("{} (got {})", rule, got));
+        table.wavelengths_um.push_back(um);
+        table.values.push_back(value);
     }
 
     void read_formula(const YAML::Node& entry, const std::string& field, int number)
@@ -180,7 +176,8 @@ private:
         const std::string problem = coefficient_count_problem(number, coefficients->numbers.size());
         if (!problem.empty()) add(coefficients->line, path, problem);
         for (const double value : coefficients->numbers)
-            check(coefficients->line, path, "must be finite", value, std::isfinite(value));
+            if (!std::isfinite(value))
+                add(coefficients->line, path, fmt::format("must be finite (got {})", value));
         if (!problems_.empty()) return;
         set_n(
             RangedFormula{{number, coefficients->numbers}, {range->numbers[0], range->numbers[1]}},
@@ -217,6 +214,7 @@ private:
 
     std::string name_;
     DiagnosticList problems_;
+    int count_ = 0;
     std::optional<std::variant<IndexTable, RangedFormula>> n_;
     std::optional<IndexTable> k_;
 };

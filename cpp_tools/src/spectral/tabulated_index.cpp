@@ -32,16 +32,17 @@ public:
 
     [[nodiscard]] Complex at(double wavelength_nm) const override
     {
-        // Compared in the unit of the file: 0.83 there and 830 / 1000 are the same double.
-        const double um = wavelength_nm / kNmPerUm;
-        if (!(um >= range_um_[0] && um <= range_um_[1])) {
-            const auto [low, high] = range_nm();
+        // In the unit of the file, where 0.83 and 830 / 1000 are the same double; in nm also, for
+        // who asks at an end that range_nm() gave.
+        const auto [low_um, high_um] = range_um_;
+        const auto [low_nm, high_nm] = range_nm();
+        const double um = std::clamp(wavelength_nm / kNmPerUm, low_um, high_um);
+        if (um != wavelength_nm / kNmPerUm && wavelength_nm != low_nm && wavelength_nm != high_nm)
             throw InputError({.file = index_.name,
                               .field = "wavelength_nm",
                               .message = fmt::format(
                                   "must be within the data, {:.10g} … {:.10g} nm (got {:.10g})",
-                                  low, high, wavelength_nm)});
-        }
+                                  low_nm, high_nm, wavelength_nm)});
         const double n = n_at(um);
         if (!(n > 0.0) || !std::isfinite(n))
             throw InputError({.file = index_.name,

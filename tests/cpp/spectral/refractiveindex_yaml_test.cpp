@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -159,6 +160,26 @@ TEST(Table, RefusesRepeatedAndImpossibleWavelengths)
     EXPECT_INPUT_ERROR(parse(table_yaml("n", "        inf 1\n")), "finite");
     EXPECT_INPUT_ERROR(parse(table_yaml("n", "        0.4 0\n")), "n must be finite and > 0");
     EXPECT_INPUT_ERROR(parse(table_yaml("n", "        0.4 1e999\n")), "must be numbers");
+}
+
+TEST(Table, EndsOfTheRangeCanBeAskedInNanometres)
+{
+    // 1.68847 · 1000 / 1000 is not 1.68847.
+    const auto medium =
+        parse(table_yaml("n", "        0.211002 1.5\n        1.68847 1.6\n")).constants;
+    const auto [first, last] = medium->range_nm();
+    EXPECT_EQ(medium->at(first), Complex(1.5, 0.0));
+    EXPECT_EQ(medium->at(last), Complex(1.6, 0.0));
+    EXPECT_INPUT_ERROR((void)medium->at(std::nextafter(last, 1e9)), "must be within the data");
+}
+
+TEST(Table, ManyBadRowsAreNotAllListed)
+{
+    std::string rows;
+    for (int i = 0; i < 1000; ++i) rows += "        bad row\n";
+    const std::string text = test::input_error_of([&] { parse(table_yaml("n", rows)); });
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 49);
+    EXPECT_TRUE(text.ends_with("there is more that is wrong"));
 }
 
 TEST(RefractiveIndexYaml, ReadsTextAndNames)
