@@ -245,7 +245,7 @@ def _stage_job(options: argparse.Namespace) -> Job:
     compiled = _compiled(options)
     values = parse_assignments(compiled, options.set)
     stage = build_stage(options.stage or "shaderball")
-    job = Job(stage.scene, notes=list(stage.notes))
+    job = Job(stage.scene)
     material = _add_material(job, compiled, options.form)
     set_values(material, values)
     stage.place(material)

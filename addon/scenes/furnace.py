@@ -20,7 +20,7 @@ def build(scene: bpy.types.Scene) -> Stage:
     scene.cycles.filter_width = 0.01  # the least there is: a pixel samples its centre
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
     scene.cycles.blur_glossy = 0.0
-    return Stage(scene, _add_sphere(scene), size=(256, 256), samples=64, denoise=False)
+    return Stage(scene, _add_sphere(scene), size=(256, 256), samples=64)
 
 
 def _add_world(scene: bpy.types.Scene) -> None:

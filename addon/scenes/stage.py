@@ -1,18 +1,16 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The common part of stages: camera, world, lamps, placing the material."""
+"""What a stage is, and the list of them."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from importlib import import_module
 
 import bpy
 
-_MODULES = {
-    "furnace": "furnace",
-}
+_STAGES = ("furnace", "sphere", "plane", "bubble", "shaderball", "disc", "prism", "gem")
 
 
 class StageError(Exception):
@@ -25,23 +23,31 @@ class Stage:
 
     scene: bpy.types.Scene
     place: Callable[[bpy.types.Material], None]
-    dress: Callable[[bpy.types.Material], None] | None = None
+    dress: Callable[[bpy.types.Material], None] | None = None  # drives sockets, such as thickness
     size: tuple[int, int] = (640, 480)
     samples: int = 128
-    denoise: bool = True
-    notes: list[str] = field(default_factory=list)
 
 
 def stage_names() -> tuple[str, ...]:
-    return tuple(_MODULES)
+    return _STAGES
 
 
 def build_stage(name: str) -> Stage:
     """Replaces the open file by the stage; preferences and extensions stay."""
-    if name not in _MODULES:
-        raise StageError(f"unknown stage {name!r}; there are: {', '.join(_MODULES)}")
+    if name not in _STAGES:
+        raise StageError(f"unknown stage {name!r}; there are: {', '.join(_STAGES)}")
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
-    module = import_module(f".{_MODULES[name]}", __package__)
-    return module.build(scene)
+    return import_module(f".{name}", __package__).build(scene)
+
+
+def place_on(*objects: bpy.types.Object) -> Callable[[bpy.types.Material], None]:
+    """Gives the material to meshes."""
+
+    def place(material: bpy.types.Material) -> None:
+        for obj in objects:
+            obj.data.materials.clear()
+            obj.data.materials.append(material)
+
+    return place

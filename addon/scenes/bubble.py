@@ -1,0 +1,36 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Soap bubbles out of doors; the film is thin on top, where it has drained, and swirls."""
+
+from __future__ import annotations
+
+import bpy
+
+from .light import camera, environment
+from .shape import sphere
+from .stage import Stage, place_on
+from .thickness import vary
+
+# Centre and radius.
+_BUBBLES = (
+    ((0.0, 0.0, 0.0), 1.0),
+    ((1.72, 0.7, 0.72), 0.46),
+    ((-1.62, 0.9, -0.62), 0.38),
+    ((1.32, -0.5, -0.82), 0.2),
+    ((-1.3, 1.6, 1.02), 0.3),
+)
+
+
+def build(scene: bpy.types.Scene) -> Stage:
+    environment(scene, "forest", strength=1.35, turn_deg=115.0, seen=0.5)
+    bubbles = [
+        sphere(scene, "Bubble", centre, radius, rings=96 if radius > 0.5 else 64)
+        for centre, radius in _BUBBLES
+    ]
+    camera(scene, (0.0, -8.4, 0.1), (0.1, 0.0, 0.02), lens_mm=85.0, f_stop=0.7)
+    scene.cycles.transparent_max_bounces = 32
+    return Stage(scene, place_on(*bubbles), dress=_dress)
+
+
+def _dress(material: bpy.types.Material) -> None:
+    vary(material, base=0.35, height=1.15, swirl=0.5, scale=1.3, stretch=(1.0, 1.0, 2.2))

@@ -1,0 +1,112 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes and plain materials of the stages."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import bpy
+
+Point = tuple[float, float, float]
+
+
+def mesh(
+    scene: bpy.types.Scene,
+    name: str,
+    vertices: Sequence[Point],
+    faces: Sequence[Sequence[int]],
+    *,
+    smooth: bool = True,
+) -> bpy.types.Object:
+    data = bpy.data.meshes.new(name)
+    data.from_pydata(vertices, [], faces)
+    data.validate()
+    if smooth:
+        data.shade_smooth()
+    obj = bpy.data.objects.new(name, data)
+    scene.collection.objects.link(obj)
+    return obj
+
+
+def lathe(
+    scene: bpy.types.Scene,
+    name: str,
+    profile: Sequence[tuple[float, float]],
+    *,
+    segments: int = 160,
+    smooth: bool = True,
+) -> bpy.types.Object:
+    """Turns `profile`, points (radius, z) from the bottom up with the outside to the right."""
+    vertices: list[Point] = []
+    rings: list[list[int]] = []
+    for radius, z in profile:
+        count = 1 if radius == 0.0 else segments
+        rings.append(list(range(len(vertices), len(vertices) + count)))
+        for step in range(count):
+            angle = math.tau * step / segments
+            vertices.append((radius * math.cos(angle), radius * math.sin(angle), z))
+    faces = []
+    for lower, upper in zip(rings, rings[1:], strict=False):
+        for i in range(segments):
+            j = (i + 1) % segments
+            corners = (lower[i % len(lower)], lower[j % len(lower)],
+                       upper[j % len(upper)], upper[i % len(upper)])
+            faces.append(tuple(dict.fromkeys(corners)))
+    return mesh(scene, name, vertices, faces, smooth=smooth)
+
+
+def sphere(
+    scene: bpy.types.Scene, name: str, centre: Point, radius: float, rings: int = 96
+) -> bpy.types.Object:
+    profile = [
+        (radius * math.sin(math.pi * i / rings), -radius * math.cos(math.pi * i / rings))
+        for i in range(1, rings)
+    ]
+    obj = lathe(scene, name, [(0.0, -radius), *profile, (0.0, radius)], segments=2 * rings)
+    obj.location = centre
+    return obj
+
+
+def backdrop(
+    scene: bpy.types.Scene, colour: Point, *, roughness: float = 0.5, depth: float = 5.0
+) -> bpy.types.Object:
+    """A floor at z = 0 that bends up into a wall behind the scene."""
+    bend, height, half_width = 2.5, 9.0, 16.0
+    profile = [(-10.0, 0.0), (depth - bend, 0.0)]
+    for step in range(1, 24):
+        angle = math.pi / 2.0 * step / 24
+        profile.append((depth - bend + bend * math.sin(angle), bend - bend * math.cos(angle)))
+    profile += [(depth, bend), (depth, height)]
+    vertices = [(x, y, z) for y, z in profile for x in (-half_width, half_width)]
+    faces = [(2 * i, 2 * i + 1, 2 * i + 3, 2 * i + 2) for i in range(len(profile) - 1)]
+    obj = mesh(scene, "Backdrop", vertices, faces)
+    obj.data.materials.append(plain("Backdrop", colour, roughness=roughness))
+    return obj
+
+
+def plain(
+    name: str, colour: Point, *, roughness: float = 0.5, metallic: float = 0.0
+) -> bpy.types.Material:
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    shader = principled(material)
+    shader.inputs["Base Color"].default_value = (*colour, 1.0)
+    shader.inputs["Roughness"].default_value = roughness
+    shader.inputs["Metallic"].default_value = metallic
+    return material
+
+
+def principled(material: bpy.types.Material) -> bpy.types.Node:
+    return next(n for n in material.node_tree.nodes if n.type == "BSDF_PRINCIPLED")
+
+
+def glow(name: str, colour: Point, strength: float) -> bpy.types.Material:
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    shader = principled(material)
+    shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
+    shader.inputs["Emission Color"].default_value = (*colour, 1.0)
+    shader.inputs["Emission Strength"].default_value = strength
+    return material
