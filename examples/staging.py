@@ -12,7 +12,6 @@ import math
 import sys
 from pathlib import Path
 
-import addon_utils
 import bpy
 from mathutils import Vector
 
@@ -24,6 +23,8 @@ def new_scene(
     environment: str, *, strength: float = 1.0, turn_deg: float = 0.0, exposure: float = 0.0
 ) -> bpy.types.Scene:
     """An empty scene lit by one of the environments that come with Blender (CC0)."""
+    import addon_utils  # in reach once bpy is imported
+
     bpy.ops.wm.read_factory_settings(use_empty=True)
     if addon_utils.enable(EXTENSION) is None:
         sys.exit(f"{EXTENSION} is not installed; `./dev demo` installs it")

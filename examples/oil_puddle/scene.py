@@ -49,12 +49,12 @@ def asphalt() -> None:
 
 
 def main() -> None:
-    new_scene("city", strength=0.8, turn_deg=200.0)
+    new_scene("sunset", strength=0.8, turn_deg=-20.0)
     asphalt()
     water = puddle()
     node = wave_material(water, "oil_on_water")
     thickness_field(water, node, low_nm=0.0, high_nm=750.0, axis="", swirl=1.0, swirl_scale=0.75)
-    camera((0.3, -6.5, 2.6), (0.0, 0.15, 0.0), lens_mm=42.0, f_stop=4.0)
+    camera((0.2, -6.0, 2.7), (0.0, 0.0, 0.0), lens_mm=46.0, f_stop=4.0)
     save(sys.argv[1])
 
 

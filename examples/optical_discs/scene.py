@@ -39,7 +39,7 @@ def disc(material: str, location, rotation_deg) -> None:
 
 def main() -> None:
     material, path = sys.argv[1:]
-    new_scene("studio", strength=0.5, turn_deg=-60.0, exposure=0.2)
+    new_scene("studio", strength=1.6, turn_deg=-60.0, exposure=0.2)
     backdrop((0.02, 0.02, 0.023), roughness=0.45)
     disc(material, (-0.42, 0.0, 0.016), (0.0, 0.0, 0.0))
     disc(material, (0.55, 0.42, 0.56), (68.0, 0.0, -24.0))
