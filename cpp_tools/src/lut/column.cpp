@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "column.h"
+
+#include <algorithm>
+
+#include "nacre/core/vector_clones.h"
+
+namespace nacre::lut {
+namespace {
+
+using optics::kLanes;
+using optics::Lanes;
+
+/// Rows that are computed together: their lanes stay in the first-level cache.
+constexpr std::size_t kRows = 16;
+constexpr std::size_t kAccumulators = 8;
+
+/// At grazing incidence cosθ = 0 the coefficients of T are 0/0; this close to it R and T equal
+/// their limits (1 and 0, or 0 and 1 for matched indices) to single precision.
+constexpr double kLeastCosine = 1e-10;
+
+/// Weighted sums of one row, spread over independent accumulators in a fixed order: the result
+/// depends neither on the instruction set nor on the number of threads.
+struct RowSums {
+    std::array<std::array<double, kAccumulators>, 6> part{};
+};
+
+NACRE_VECTOR_CLONES void add_weighted(RowSums& sums, const Lanes& R, const Lanes& T,
+                                      const std::array<Lanes, 3>& weight)
+{
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t group = 0; group < kLanes; group += kAccumulators) {
+#pragma GCC ivdep
+            for (std::size_t j = 0; j < kAccumulators; ++j) {
+                sums.part[c][j] += weight[c][group + j] * R[group + j];
+                sums.part[3 + c][j] += weight[c][group + j] * T[group + j];
+            }
+        }
+    }
+}
+
+FilmColour total(const RowSums& sums)
+{
+    FilmColour colour{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t j = 0; j < kAccumulators; ++j) {
+            colour.reflectance[c] += sums.part[c][j];
+            colour.transmittance[c] += sums.part[3 + c][j];
+        }
+    }
+    return colour;
+}
+
+void set(optics::ComplexLanes& lanes, std::size_t i, std::complex<double> value)
+{
+    lanes.re[i] = value.real();
+    lanes.im[i] = value.imag();
+}
+
+SpectralBlocks::Block make_block(const FilmTableRequest& request, std::size_t first)
+{
+    const SampledStack& stack = request.stack;
+    SpectralBlocks::Block block;
+    block.stack.layers.resize(stack.layers.size());
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const std::size_t k = std::min(first + i, spectral::kWavelengths - 1);
+        const bool padding = first + i >= spectral::kWavelengths;
+        const double inverse = 1.0 / spectral::wavelength_nm(k);
+        block.inverse_wavelength[i] = inverse;
+        for (std::size_t c = 0; c < 3; ++c)
+            block.weight[c][i] = padding ? 0.0 : request.weights.weight[c][k];
+        block.stack.n_0[i] = stack.ambient[k].real();
+        set(block.stack.above, i, stack.ambient[k]);
+        set(block.stack.below, i, stack.substrate[k]);
+        for (std::size_t j = 0; j < stack.layers.size(); ++j) {
+            set(block.stack.layers[j].n, i, stack.layers[j].n[k]);
+            block.stack.layers[j].waves[i] = stack.layers[j].thickness_nm * inverse;
+        }
+    }
+    return block;
+}
+
+bool all_coherent(const SpectralBlocks& spectral)
+{
+    return std::find(spectral.coherent.begin(), spectral.coherent.end(), false) ==
+           spectral.coherent.end();
+}
+
+void scale(Lanes& lanes, double factor)
+{
+    for (double& value : lanes) value *= factor;
+}
+
+/// The stack with its variation set to `value`.
+optics::LaneStack varied(const optics::LaneStack& stack, const SpectralBlocks& spectral,
+                         const Lanes& inverse_wavelength, double value)
+{
+    optics::LaneStack result = stack;
+    if (!spectral.variation) return result;
+    if (const auto layer = spectral.variation->layer) {
+        result.layers[*layer].waves = inverse_wavelength;
+        scale(result.layers[*layer].waves, value);
+        return result;
+    }
+    for (std::size_t j = 0; j < result.layers.size(); ++j)
+        if (spectral.coherent[j]) scale(result.layers[j].waves, value);
+    return result;
+}
+
+void mean_of_polarisations(const optics::BatchResponse& response, Lanes& R, Lanes& T)
+{
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        R[i] = 0.5 * (response.s.R[i] + response.p.R[i]);
+        T[i] = 0.5 * (response.s.T[i] + response.p.T[i]);
+    }
+}
+
+}  // namespace
+
+SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(request.variation)
+{
+    for (const SampledLayer& layer : request.stack.layers) coherent.push_back(layer.coherent);
+    for (std::size_t b = 0; b < kBlocks; ++b)
+        blocks.push_back(make_block(request, b * optics::kLanes));
+}
+
+Column::Column(const SpectralBlocks& spectral, double cos_theta) : spectral_(&spectral)
+{
+    const bool folds = spectral.variation && spectral.variation->layer && all_coherent(spectral);
+    for (const SpectralBlocks::Block& block : spectral.blocks) {
+        optics::LaneStack stack = block.stack;
+        stack.cos_0.fill(std::max(cos_theta, kLeastCosine));
+        if (folds)
+            blocks_.emplace_back(std::in_place_type<optics::PhaseMap>, stack,
+                                 *spectral.variation->layer);
+        else
+            blocks_.emplace_back(std::move(stack));
+    }
+}
+
+void Column::rows(std::size_t b, double first, double step, std::span<Lanes> R,
+                  std::span<Lanes> T) const
+{
+    const Lanes& inverse_wavelength = spectral_->blocks[b].inverse_wavelength;
+    if (const auto* map = std::get_if<optics::PhaseMap>(&blocks_[b])) {
+        Lanes start = inverse_wavelength, stride = inverse_wavelength;
+        scale(start, first);
+        scale(stride, step);
+        map->march(start, stride, R, T);
+        return;
+    }
+    const auto& stack = std::get<optics::LaneStack>(blocks_[b]);
+    const bool mixed = !all_coherent(*spectral_);
+    optics::BatchResponse response;
+    for (std::size_t row = 0; row < R.size(); ++row) {
+        const double value = first + static_cast<double>(row) * step;
+        const optics::LaneStack at = varied(stack, *spectral_, inverse_wavelength, value);
+        if (mixed) {
+            mixed_batch(at, spectral_->coherent, R[row], T[row]);
+        } else {
+            stack_batch(at, response);
+            mean_of_polarisations(response, R[row], T[row]);
+        }
+    }
+}
+
+void Column::evaluate(double first, double step, std::span<FilmColour> out) const
+{
+    std::array<Lanes, kRows> R, T;
+    for (std::size_t start = 0; start < out.size(); start += kRows) {
+        const std::size_t count = std::min(kRows, out.size() - start);
+        std::array<RowSums, kRows> sums{};
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+            rows(b, first + static_cast<double>(start) * step, step, std::span(R).first(count),
+                 std::span(T).first(count));
+            for (std::size_t row = 0; row < count; ++row)
+                add_weighted(sums[row], R[row], T[row], spectral_->blocks[b].weight);
+        }
+        for (std::size_t row = 0; row < count; ++row) out[start + row] = total(sums[row]);
+    }
+}
+
+}  // namespace nacre::lut

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "nacre/lut/film_table.h"
+#include "nacre/optics/stack_batch.h"
+
+namespace nacre::lut {
+
+/// What does not depend on the angle: the stack and the colour weights, laid out in blocks of
+/// lanes. The last block is filled up with wavelengths of weight 0.
+class SpectralBlocks {
+public:
+    explicit SpectralBlocks(const FilmTableRequest& request);
+
+    static constexpr std::size_t kBlocks =
+        (spectral::kWavelengths + optics::kLanes - 1) / optics::kLanes;
+
+    struct Block {
+        optics::LaneStack stack;  ///< `waves` as of the request's thicknesses; cosine not set
+        optics::Lanes inverse_wavelength;
+        std::array<optics::Lanes, 3> weight;
+    };
+    std::vector<Block> blocks;
+    std::vector<bool> coherent;
+    std::optional<Variation> variation;
+};
+
+/// Colours along the second axis at one angle.
+class Column {
+public:
+    Column(const SpectralBlocks& spectral, double cos_theta);
+
+    /// Colours at first, first + step, …, one for each element of `out`.
+    void evaluate(double first, double step, std::span<FilmColour> out) const;
+
+private:
+    /// Folded around the varying layer where that is possible, the whole stack otherwise.
+    std::vector<std::variant<optics::PhaseMap, optics::LaneStack>> blocks_;
+    const SpectralBlocks* spectral_;
+
+    void rows(std::size_t block, double first, double step, std::span<optics::Lanes> R,
+              std::span<optics::Lanes> T) const;
+};
+
+}  // namespace nacre::lut

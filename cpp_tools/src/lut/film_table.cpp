@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/lut/film_table.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "nacre/core/diagnostics.h"
+#include "sizing.h"
+
+namespace nacre::lut {
+namespace {
+
+void check_stack(const SampledStack& stack, DiagnosticList& problems)
+{
+    optics::FilmStack at{.ambient = {}, .layers = {}, .substrate = {}};
+    for (const SampledLayer& layer : stack.layers)
+        at.layers.push_back({.n = {}, .thickness_nm = layer.thickness_nm, .coherent = true});
+    for (std::size_t i = 0; i < spectral::kWavelengths; ++i) {
+        at.ambient = stack.ambient[i];
+        at.substrate = stack.substrate[i];
+        for (std::size_t j = 0; j < stack.layers.size(); ++j) at.layers[j].n = stack.layers[j].n[i];
+        if (const auto problem = validate(at)) {
+            problems.add(
+                {{},
+                 0,
+                 fmt::format("{}[{}]", problem->field, problem->index),
+                 fmt::format("{} (at {} nm)", problem->message, spectral::wavelength_nm(i))});
+            return;  // the same medium is often wrong at every wavelength
+        }
+    }
+}
+
+void check(const FilmTableRequest& request)
+{
+    DiagnosticList problems;
+    check_stack(request.stack, problems);
+    if (const auto& variation = request.variation) {
+        const bool ordered = std::isfinite(variation->min) && std::isfinite(variation->max) &&
+                             variation->min >= 0.0 && variation->min < variation->max;
+        if (!ordered)
+            problems.add({{},
+                          0,
+                          "variation",
+                          fmt::format("must have 0 ≤ min < max, both finite (got {} and {})",
+                                      variation->min, variation->max)});
+        if (variation->layer && *variation->layer >= request.stack.layers.size())
+            problems.add({{},
+                          0,
+                          "variation",
+                          fmt::format("must name one of the {} layers (got layer[{}])",
+                                      request.stack.layers.size(), *variation->layer)});
+    }
+    if (!(request.tolerance > 0.0))
+        problems.add({{}, 0, "tolerance", fmt::format("must be > 0 (got {})", request.tolerance)});
+    if (request.max_texels < 2)
+        problems.add(
+            {{}, 0, "max_texels", fmt::format("must be ≥ 2 (got {})", request.max_texels)});
+    if (request.size) {
+        const auto [width, height] = *request.size;
+        const int least = request.variation ? 2 : 1, most = request.variation ? 16384 : 1;
+        if (width < 2 || width > 16384 || height < least || height > most)
+            problems.add({{},
+                          0,
+                          "size",
+                          fmt::format("must be 2…16384 texels wide and {}…{} high (got {}x{})",
+                                      least, most, width, height)});
+    }
+    problems.throw_if_any();
+}
+
+/// The texels of both quantities as they are stored, and how far off they are in between.
+struct Baked {
+    TableSize size;
+    std::vector<float> reflectance, transmittance;
+    ErrorStatistics reflectance_error, transmittance_error;
+    double along_angle = 0.0, along_variation = 0.0;
+
+    [[nodiscard]] FilmColour texel(std::size_t x, std::size_t y) const
+    {
+        FilmColour colour{};
+        const std::size_t at = 3 * (y * static_cast<std::size_t>(size.width) + x);
+        for (std::size_t c = 0; c < 3; ++c) {
+            colour.reflectance[c] = static_cast<double>(reflectance[at + c]);
+            colour.transmittance[c] = static_cast<double>(transmittance[at + c]);
+        }
+        return colour;
+    }
+    void set_texel(std::size_t x, std::size_t y, const FilmColour& colour)
+    {
+        const std::size_t at = 3 * (y * static_cast<std::size_t>(size.width) + x);
+        for (std::size_t c = 0; c < 3; ++c) {
+            reflectance[at + c] = static_cast<float>(colour.reflectance[c]);
+            transmittance[at + c] = static_cast<float>(colour.transmittance[c]);
+        }
+    }
+    [[nodiscard]] double largest(bool with_transmittance) const
+    {
+        return with_transmittance ? std::max(reflectance_error.max, transmittance_error.max)
+                                  : reflectance_error.max;
+    }
+};
+
+FilmColour lerp(const FilmColour& a, const FilmColour& b, double t) noexcept
+{
+    FilmColour result{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        result.reflectance[c] = (1.0 - t) * a.reflectance[c] + t * b.reflectance[c];
+        result.transmittance[c] = (1.0 - t) * a.transmittance[c] + t * b.transmittance[c];
+    }
+    return result;
+}
+
+/// Errors found on one column of probes.
+struct ProbeErrors {
+    ErrorStatistics reflectance, transmittance;
+    double along_angle = 0.0, along_variation = 0.0;
+};
+
+double probe(ProbeErrors& errors, const Baker& baker, double cos_theta,
+             const FilmColour& interpolated, const FilmColour& exact)
+{
+    if (cos_theta < kLeastCountedCosine) return 0.0;
+    const double R = baker.error(interpolated.reflectance, exact.reflectance);
+    errors.reflectance.add(R);
+    if (!baker.request.transmittance) return R;
+    const double T = baker.error(interpolated.transmittance, exact.transmittance);
+    errors.transmittance.add(T);
+    return std::max(R, T);
+}
+
+/// Positions along an axis that also come half-way between texels: 2·texels − 1, or 1.
+std::size_t half_steps(int texels)
+{
+    return static_cast<std::size_t>(2 * texels - 1);
+}
+
+double half_step(const Baker& baker, int height)
+{
+    if (height < 2) return 0.0;
+    return (baker.last_value() - baker.first_value()) / static_cast<double>(2 * height - 2);
+}
+
+/// Texels of column `x`, and the errors half-way between its rows.
+ProbeErrors bake_column(const Baker& baker, Baked& baked, std::size_t x)
+{
+    std::vector<FilmColour> exact(half_steps(baked.size.height));
+    const double cos_theta = static_cast<double>(x) / (baked.size.width - 1);
+    Column(baker.spectral, cos_theta)
+        .evaluate(baker.first_value(), half_step(baker, baked.size.height), exact);
+
+    for (std::size_t i = 0; i < exact.size(); i += 2) baked.set_texel(x, i / 2, exact[i]);
+    ProbeErrors errors;
+    for (std::size_t i = 1; i < exact.size(); i += 2) {
+        const FilmColour between = midpoint(baked.texel(x, i / 2), baked.texel(x, i / 2 + 1));
+        errors.along_variation =
+            std::max(errors.along_variation, probe(errors, baker, cos_theta, between, exact[i]));
+    }
+    return errors;
+}
+
+/// Errors half-way between columns x and x + 1, at the rows and half-way between them.
+ProbeErrors check_midway(const Baker& baker, const Baked& baked, std::size_t x)
+{
+    std::vector<FilmColour> exact(half_steps(baked.size.height));
+    const double cos_theta = (static_cast<double>(x) + 0.5) / (baked.size.width - 1);
+    Column(baker.spectral, cos_theta)
+        .evaluate(baker.first_value(), half_step(baker, baked.size.height), exact);
+
+    ProbeErrors errors;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        const std::size_t y = i / 2, up = y + i % 2;
+        const FilmColour low = midpoint(baked.texel(x, y), baked.texel(x + 1, y));
+        const FilmColour high = midpoint(baked.texel(x, up), baked.texel(x + 1, up));
+        const double error = probe(errors, baker, cos_theta, midpoint(low, high), exact[i]);
+        if (i % 2 == 0) errors.along_angle = std::max(errors.along_angle, error);
+    }
+    return errors;
+}
+
+/// Errors at one more point of each cell of the strip between columns x and x + 1. The position in
+/// the cell changes from strip to strip by the golden ratio, so that nothing hides between the
+/// half-way probes.
+ProbeErrors check_elsewhere(const Baker& baker, const Baked& baked, std::size_t x)
+{
+    const auto wander = [x](double ratio) {
+        const double walked = 0.5 + static_cast<double>(x) * ratio;
+        return walked - std::floor(walked);
+    };
+    const double u = wander(0.7548776662466927);  // R2 sequence: 1/g, 1/g² of g³ = g + 1
+    const double v = baked.size.height > 1 ? wander(0.5698402909980532) : 0.0;
+    const std::size_t rows = std::max<std::size_t>(1, half_steps(baked.size.height) / 2);
+    const double step = 2.0 * half_step(baker, baked.size.height);
+
+    std::vector<FilmColour> exact(rows);
+    const double cos_theta = (static_cast<double>(x) + u) / (baked.size.width - 1);
+    Column(baker.spectral, cos_theta).evaluate(baker.first_value() + v * step, step, exact);
+    ProbeErrors errors;
+    for (std::size_t y = 0; y < rows; ++y) {
+        const std::size_t up = std::min(y + 1, static_cast<std::size_t>(baked.size.height) - 1);
+        const FilmColour low = lerp(baked.texel(x, y), baked.texel(x + 1, y), u);
+        const FilmColour high = lerp(baked.texel(x, up), baked.texel(x + 1, up), u);
+        probe(errors, baker, cos_theta, lerp(low, high, v), exact[y]);
+    }
+    return errors;
+}
+
+/// Bakes and measures. The errors are added up in the order of the columns, so that their mean does
+/// not depend on which thread was first.
+Baked bake(Baker& baker, TableSize size)
+{
+    const auto width = static_cast<std::size_t>(size.width);
+    Baked baked{.size = size,
+                .reflectance = {},
+                .transmittance = {},
+                .reflectance_error = {},
+                .transmittance_error = {}};
+    baked.reflectance.resize(3 * width * static_cast<std::size_t>(size.height));
+    baked.transmittance.resize(baked.reflectance.size());
+
+    std::vector<ProbeErrors> errors(3 * width - 2);
+    baker.progress.stage(0.9, errors.size());
+    const auto each = [&](std::size_t count, std::size_t offset, auto&& measure) {
+        tbb::parallel_for(std::size_t{0}, count, [&](std::size_t x) {
+            errors[offset + x] = measure(baker, baked, x);
+            baker.progress.step();
+        });
+    };
+    each(width, 0, bake_column);
+    each(width - 1, width, check_midway);
+    each(width - 1, 2 * width - 1, check_elsewhere);
+
+    for (const ProbeErrors& column : errors) {
+        baked.reflectance_error.add(column.reflectance);
+        baked.transmittance_error.add(column.transmittance);
+        baked.along_angle = std::max(baked.along_angle, column.along_angle);
+        baked.along_variation = std::max(baked.along_variation, column.along_variation);
+    }
+    return baked;
+}
+
+/// Bakes at the estimated size and refines the axis that is to blame until every probe is within
+/// the tolerance.
+Baked bake_to_tolerance(Baker& baker)
+{
+    const FilmTableRequest& request = baker.request;
+    TableSize size = estimate_size(baker);
+    for (;;) {
+        Baked baked = bake(baker, size);
+        const double error = baked.largest(request.transmittance);
+        if (error <= request.tolerance) return baked;
+
+        const bool angle = size.height < 2 || baked.along_angle >= baked.along_variation;
+        int& texels = angle ? size.width : size.height;
+        if (texels == request.max_texels)
+            throw InputError(Diagnostic{
+                {},
+                0,
+                "tolerance",
+                fmt::format("a table of at most {} texels per axis reaches ΔE00 {:.3g}, not {:g}; "
+                            "raise the tolerance or narrow the range",
+                            request.max_texels, error, request.tolerance)});
+        texels = refined(texels, error, request.tolerance, request.max_texels);
+    }
+}
+
+Table make_table(const Baker& baker, const Baked& baked, bool transmittance)
+{
+    const auto& variation = baker.request.variation;
+    const ErrorStatistics& error =
+        transmittance ? baked.transmittance_error : baked.reflectance_error;
+    const bool scale = variation && !variation->layer;
+    return {.name = transmittance ? "T" : "R",
+            .quantity = transmittance ? "transmittance" : "reflectance",
+            .x = {"cos_theta", "1", 0.0, 1.0, baked.size.width},
+            .y = {scale ? "thickness_scale" : "thickness_nm", scale ? "1" : "nm",
+                  baker.first_value(), baker.last_value(), baked.size.height},
+            .channels = {"R", "G", "B"},
+            .texels = transmittance ? baked.transmittance : baked.reflectance,
+            .error_max = error.max,
+            .error_mean = error.mean()};
+}
+
+}  // namespace
+
+FilmTables bake_film_tables(const FilmTableRequest& request)
+{
+    check(request);
+    try {
+        Baker baker(request);
+        const Baked baked = request.size ? bake(baker, {(*request.size)[0], (*request.size)[1]})
+                                         : bake_to_tolerance(baker);
+        FilmTables tables{.reflectance = make_table(baker, baked, false), .transmittance = {}};
+        if (request.transmittance) tables.transmittance = make_table(baker, baked, true);
+        return tables;
+    } catch (const Progress::Cancelled&) {
+        throw InputError(Diagnostic{{}, 0, {}, "cancelled"});
+    }
+}
+
+FilmColour exact_film_colour(const FilmTableRequest& request, double cos_theta,
+                             double variation_value)
+{
+    const SpectralBlocks spectral(request);
+    FilmColour colour{};
+    Column(spectral, cos_theta).evaluate(variation_value, 0.0, {&colour, 1});
+    return colour;
+}
+
+}  // namespace nacre::lut

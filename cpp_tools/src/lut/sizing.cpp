@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "sizing.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nacre::lut {
+namespace {
+
+constexpr int kFirstWidth = 17, kFirstHeight = 33;
+constexpr std::size_t kLinesAcross = 32;
+
+/// Largest error half-way between `width` columns, on a few rows.
+double error_along_angle(Baker& baker, int width)
+{
+    const bool varies = baker.request.variation.has_value();
+    const std::size_t rows = varies ? kLinesAcross : 1;
+    const double step =
+        varies ? (baker.last_value() - baker.first_value()) / static_cast<double>(rows - 1) : 0.0;
+
+    const auto points = static_cast<std::size_t>(2 * width - 1);
+    std::vector<std::vector<FilmColour>> columns(points, std::vector<FilmColour>(rows));
+    baker.progress.stage(0.05, points);
+    tbb::parallel_for(std::size_t{0}, points, [&](std::size_t i) {
+        const double cos_theta = static_cast<double>(i) / static_cast<double>(points - 1);
+        Column(baker.spectral, cos_theta).evaluate(baker.first_value(), step, columns[i]);
+        baker.progress.step();
+    });
+
+    double largest = 0.0;
+    const auto first =
+        static_cast<std::size_t>(kLeastCountedCosine * static_cast<double>(width - 1));
+    for (std::size_t i = 2 * first + 1; i < points; i += 2)
+        for (std::size_t row = 0; row < rows; ++row)
+            largest = std::max(largest,
+                               baker.difference(midpoint(columns[i - 1][row], columns[i + 1][row]),
+                                                columns[i][row]));
+    return largest;
+}
+
+/// Largest error half-way between `height` rows, on a few columns.
+double error_along_variation(Baker& baker, int height)
+{
+    const auto points = static_cast<std::size_t>(2 * height - 1);
+    const double step =
+        (baker.last_value() - baker.first_value()) / static_cast<double>(points - 1);
+    std::vector<double> largest(kLinesAcross, 0.0);
+    baker.progress.stage(0.05, kLinesAcross);
+    tbb::parallel_for(std::size_t{0}, kLinesAcross, [&](std::size_t i) {
+        std::vector<FilmColour> column(points);
+        const double along = static_cast<double>(i) / (kLinesAcross - 1);
+        const double cos_theta = kLeastCountedCosine + (1.0 - kLeastCountedCosine) * along;
+        Column(baker.spectral, cos_theta).evaluate(baker.first_value(), step, column);
+        for (std::size_t row = 1; row < points; row += 2)
+            largest[i] =
+                std::max(largest[i],
+                         baker.difference(midpoint(column[row - 1], column[row + 1]), column[row]));
+        baker.progress.step();
+    });
+    return *std::max_element(largest.begin(), largest.end());
+}
+
+}  // namespace
+
+void Progress::stage(double share, std::size_t steps)
+{
+    per_step_ = (1.0 - done_) * share / static_cast<double>(std::max<std::size_t>(steps, 1));
+}
+
+void Progress::step()
+{
+    if (!report_) return;
+    const std::lock_guard lock(mutex_);
+    done_ = std::min(1.0, done_ + per_step_);
+    if (!report_(done_)) throw Cancelled{};
+}
+
+double Baker::difference(const FilmColour& a, const FilmColour& b) const
+{
+    const double reflected = error(a.reflectance, b.reflectance);
+    if (!request.transmittance) return reflected;
+    return std::max(reflected, error(a.transmittance, b.transmittance));
+}
+
+FilmColour midpoint(const FilmColour& a, const FilmColour& b) noexcept
+{
+    FilmColour mean{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        mean.reflectance[c] = 0.5 * (a.reflectance[c] + b.reflectance[c]);
+        mean.transmittance[c] = 0.5 * (a.transmittance[c] + b.transmittance[c]);
+    }
+    return mean;
+}
+
+int refined(int texels, double error, double allowed, int limit)
+{
+    const double factor = std::clamp(1.05 * std::sqrt(error / allowed), 1.1, 4.0);
+    const double steps = std::ceil((texels - 1) * factor);
+    return static_cast<int>(std::min<double>(limit, steps + 1.0));
+}
+
+TableSize estimate_size(Baker& baker)
+{
+    const int limit = baker.request.max_texels;
+    const bool varies = baker.request.variation.has_value();
+    const double share = (varies ? 0.45 : 0.9) * baker.request.tolerance;
+
+    TableSize size{std::min(limit, kFirstWidth), varies ? std::min(limit, kFirstHeight) : 1};
+    while (size.width < limit) {
+        const double error = error_along_angle(baker, size.width);
+        if (error <= share) break;
+        size.width = refined(size.width, error, share, limit);
+    }
+    while (varies && size.height < limit) {
+        const double error = error_along_variation(baker, size.height);
+        if (error <= share) break;
+        size.height = refined(size.height, error, share, limit);
+    }
+    return size;
+}
+
+}  // namespace nacre::lut
