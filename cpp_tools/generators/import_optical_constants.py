@@ -152,12 +152,15 @@ def main() -> None:
     parser.add_argument("database", type=Path, help="checkout of refractiveindex.info-database")
     parser.add_argument("--commit", help="its commit; asked from git by default")
     arguments = parser.parse_args()
-    commit = arguments.commit or subprocess.run(
-        ["git", "-C", arguments.database, "rev-parse", "HEAD"],
-        check=True,
-        capture_output=True,
-        text=True,
-    ).stdout.strip()
+    commit = (
+        arguments.commit
+        or subprocess.run(
+            ["git", "-C", arguments.database, "rev-parse", "HEAD"],
+            check=True,
+            capture_output=True,
+            text=True,
+        ).stdout.strip()
+    )
 
     for key, (source, name) in ENTRIES.items():
         output = OUTPUT / f"{key}.yml"

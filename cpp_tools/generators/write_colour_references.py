@@ -102,7 +102,13 @@ def patches() -> list[str]:
 
 def main() -> None:
     lines = [HEADER.format(version=colour.__version__)]
-    lines += ["// clang-format off", "inline const std::vector<Bell> kBells = {", *bells(), "};", ""]
+    lines += [
+        "// clang-format off",
+        "inline const std::vector<Bell> kBells = {",
+        *bells(),
+        "};",
+        "",
+    ]
     lines += ["inline const std::vector<Patch> kPatches = {", *patches(), "};"]
     lines += ["// clang-format on", "", "}  // namespace nacre::spectral::reference"]
     OUTPUT.write_text("\n".join(lines) + "\n", encoding="utf-8")

@@ -35,7 +35,7 @@ fs::path folder_of(const fs::path& file)
 fs::path checked_target(const fs::path& path)
 {
     std::error_code error;
-    const fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
+    fs::path target = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
     const fs::file_status status = fs::status(target, error);
     if (fs::exists(status) && !fs::is_regular_file(status))
         throw_read_error(path, fs::is_directory(status) ? "cannot be written: it is a folder"
@@ -65,10 +65,44 @@ void sync_folder(const fs::path& folder)
     if (directory.valid()) (void)::fsync(directory.get());
 }
 
+/// A file in `folder` without a name, which the system takes away with its writer; not every file
+/// system has them.
+int create_nameless(const fs::path& folder)
+{
+#ifdef O_TMPFILE
+    return ::open(folder.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0666);
+#else
+    (void)folder;
+    return -1;
+#endif
+}
+
 void rename_over(const fs::path& from, const fs::path& to)
 {
-    if (::rename(from.c_str(), to.c_str()) != 0) throw_write_error(to, errno);
+    if (::rename(from.c_str(), to.c_str()) != 0) {
+        const int error = errno;
+        (void)::unlink(from.c_str());
+        throw_write_error(to, error);
+    }
     sync_folder(folder_of(to));
+}
+
+/// Leaves nothing behind, not even when the process is killed while it writes.
+/// @returns false when the file system cannot do so; nothing is written then.
+bool write_through_nameless_file(const fs::path& path, std::string_view bytes)
+{
+    const fs::path target = checked_target(path);
+    const FileDescriptor file(create_nameless(folder_of(target)));
+    if (!file.valid()) return false;
+    write_and_sync(file.get(), bytes, path);
+
+    // A link cannot replace a file, a rename can: so the file gets a name of its own first.
+    const fs::path aside = name_aside(target);
+    const std::string handle = "/proc/self/fd/" + std::to_string(file.get());
+    if (::linkat(AT_FDCWD, handle.c_str(), AT_FDCWD, aside.c_str(), AT_SYMLINK_FOLLOW) != 0)
+        return false;
+    rename_over(aside, target);
+    return true;
 }
 
 }  // namespace
@@ -102,6 +136,7 @@ std::string read_text(const fs::path& path, std::size_t limit)
 
 void write_atomically(const fs::path& path, std::string_view bytes)
 {
+    if (write_through_nameless_file(path, bytes)) return;
     AtomicFile file(path);
     FileDescriptor out(::open(file.temporary().c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC));
     if (!out.valid()) throw_write_error(path, errno);
@@ -110,7 +145,7 @@ void write_atomically(const fs::path& path, std::string_view bytes)
     file.commit();
 }
 
-AtomicFile::AtomicFile(fs::path target) : target_(checked_target(target))
+AtomicFile::AtomicFile(const fs::path& target) : target_(checked_target(target))
 {
     // Created now, so that an unwritable folder is found before hours of work and not after.
     int fd = -1;

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -99,6 +100,30 @@ TEST_F(FileIo, FailedWriteLeavesTheOldFileAndNothingElse)
     }
     EXPECT_EQ(read_text(folder_ / "file"), "old");
     EXPECT_EQ(files_in_folder(), 1);
+}
+
+// Writing past the limit kills with SIGXFSZ, as good as kill -9 in the middle of a write.
+TEST_F(FileIo, KilledWriterLeavesTheOldFileWhole)
+{
+    write_atomically(folder_ / "file", "old");
+    const ::pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        const rlimit limit{1000, 1000};
+        ::setrlimit(RLIMIT_FSIZE, &limit);
+        (void)std::signal(SIGXFSZ, SIG_DFL);
+        write_atomically(folder_ / "file", std::string(5000, 'x'));
+        ::_exit(0);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status)) << "the writer was not killed";
+    EXPECT_EQ(read_text(folder_ / "file"), "old");
+
+    const FileDescriptor nameless(::open(folder_.c_str(), O_WRONLY | O_TMPFILE | O_CLOEXEC, 0600));
+    if (nameless.valid()) {
+        EXPECT_EQ(files_in_folder(), 1);
+    }
 }
 
 // /dev/full answers every write as a disc without space does.

@@ -21,7 +21,8 @@ inline constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20;
                                     std::size_t limit = kMaxTextBytes);
 
 /// Writes `bytes` beside `path`, flushes them to the disc, then renames: a reader sees the old file
-/// or the whole new one, and a full disc or a kill leaves the old one untouched.
+/// or the whole new one, and a full disc or a kill leaves the old one untouched. Where the file
+/// system can (Linux: O_TMPFILE), a kill leaves nothing else behind either.
 /// @throws InputError when the folder is missing or not writable, or the disc is full.
 void write_atomically(const std::filesystem::path& path, std::string_view bytes);
 
@@ -29,7 +30,8 @@ void write_atomically(const std::filesystem::path& path, std::string_view bytes)
 /// name only on `commit()`; without it the destructor removes the temporary file.
 class AtomicFile {
 public:
-    explicit AtomicFile(std::filesystem::path target);
+    /// @throws InputError when the folder is missing or not writable.
+    explicit AtomicFile(const std::filesystem::path& target);
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
     ~AtomicFile();
