@@ -11,7 +11,6 @@ built and checked by Blender's own program, `bl_pkg/cli/blender_ext.py`, which i
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import shutil
 import subprocess
@@ -94,7 +93,7 @@ def main() -> None:
         build = ("build", "--source-dir", str(folder), "--output-filepath", str(archive))
         run_blender_ext(options.blender_ext, *build)
         run_blender_ext(options.blender_ext, "validate", str(archive))
-        os.replace(archive, output)
+        archive.replace(output)
 
 
 if __name__ == "__main__":

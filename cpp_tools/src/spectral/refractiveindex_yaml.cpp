@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -33,6 +34,16 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text)
         numbers.push_back(number);
         text.remove_prefix(length);
     }
+}
+
+/// The start of what a user wrote, for a message: bytes that may be no UTF-8 become `?`.
+std::string quoted(std::string_view text)
+{
+    constexpr std::size_t kMost = 60;
+    std::string shown(text.substr(0, kMost));
+    std::ranges::replace_if(
+        shown, [](char c) { return c < ' ' || c > '~'; }, '?');
+    return text.size() > kMost ? shown + "…" : shown;
 }
 
 int line_of(const YAML::Mark& mark)
@@ -89,7 +100,7 @@ private:
             add(line_of(type.Mark()), field + ".type",
                 fmt::format("must be 'tabulated n', 'tabulated k', 'tabulated nk' or "
                             "'formula 1' … 'formula 9' (got '{}')",
-                            kind));
+                            quoted(kind)));
         }
     }
 
@@ -117,7 +128,7 @@ private:
             at = end + 1;
             auto numbers = parse_numbers(row);
             if (!numbers) {
-                add(line, path, fmt::format("must be numbers (got '{}')", row.substr(0, 80)));
+                add(line, path, fmt::format("must be numbers (got '{}')", quoted(row)));
             } else if (!numbers->empty()) {
                 rows.push_back({line, std::move(*numbers)});
             }

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
+#include <string_view>
 
 #include "nacre/core/file_io.h"
+#include "nacre/core/resources.h"
 #include "nacre/spectral/optical_constants.h"
 #include "support/expect.h"
 
@@ -234,12 +237,40 @@ TEST(RefractiveIndexYaml, RefusesWhatIsNotYaml)
     }
 }
 
+TEST(RefractiveIndexYaml, MutatedFilesAreReadOrRefused)
+{
+    std::mt19937 random(7);
+    const auto below = [&random](std::size_t end) {
+        return std::uniform_int_distribution<std::size_t>(0, end - 1)(random);
+    };
+    constexpr std::string_view kBytes = "0123456789.eE+-:|[]{}&*!%@#'\"\\ \n\t\xff";
+    for (const char* key : {"water/Daimon-20C", "Fe/Johnson", "SiO/Hass"}) {
+        const auto original = find_resource("optical_constants/" + std::string(key) + ".yml");
+        ASSERT_TRUE(original.has_value());
+        int refused = 0;
+        for (int i = 0; i < 300; ++i) {
+            std::string text(*original);
+            for (std::size_t edit = 0; edit <= below(8); ++edit)
+                text[below(text.size())] = kBytes[below(kBytes.size())];
+            try {
+                (void)parse(text).constants->at(587.6);
+            } catch (const InputError& error) {
+                ++refused;
+                EXPECT_TRUE(std::string_view(error.what()).starts_with("test.yml")) << error.what();
+            }
+        }
+        EXPECT_GT(refused, 30) << key;
+    }
+}
+
 TEST(RefractiveIndexYaml, SurvivesHostileInput)
 {
     EXPECT_INPUT_ERROR(parse(std::string(kMaxTextBytes + 1, ' ')),
                        "must not be larger than 16777216 bytes");
     EXPECT_INPUT_ERROR(parse("DATA: " + std::string(200000, '[')), "is not valid YAML");
     EXPECT_INPUT_ERROR(parse("DATA: " + std::string(200000, '{')), "is not valid YAML");
+    EXPECT_INPUT_ERROR(parse(table_yaml("n", "        \xc3\x84" + std::string(200, 'x') + "\n")),
+                       "must be numbers (got '??" + std::string(58, 'x') + "…')");
     EXPECT_INPUT_ERROR(parse(std::string("\0\xff\xfe", 3)), "test.yml");
     // Ten levels of ten aliases each: ten thousand million nodes if they were copied.
     std::string laughs = "l0: &l0 [a, a, a, a, a, a, a, a, a, a]\n";
