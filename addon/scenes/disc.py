@@ -18,7 +18,7 @@ _THICK = 0.012
 
 
 def build(scene: bpy.types.Scene) -> Stage:
-    environment(scene, "night", strength=0.5, turn_deg=0.0)
+    environment(scene, "night", strength=1.2, turn_deg=0.0)
     backdrop(scene, (0.02, 0.021, 0.024), roughness=0.4, depth=3.0)
     data = lathe(scene, "Data", ((_RING, 0.0), (_DATA, 0.0)), segments=256)
     ring = lathe(
@@ -38,5 +38,5 @@ def build(scene: bpy.types.Scene) -> Stage:
         obj.location = (0.0, 0.0, _RIM * math.sin(tilt) + _THICK)
     area_lamp(scene, (-0.9, -2.2, 3.2), (0.0, 0.0, 0.45), size=(0.16, 0.16), watts=38.0)
     area_lamp(scene, (1.5, -1.0, 2.2), (0.0, 0.0, 0.45), size=(0.1, 0.7), watts=16.0)
-    camera(scene, (0.15, -3.3, 1.25), (0.0, -0.02, 0.47), lens_mm=85.0)
+    camera(scene, (0.15, -3.9, 1.45), (0.0, -0.02, 0.44), lens_mm=85.0)
     return Stage(scene, place_on(data))

@@ -17,11 +17,11 @@ _TABLE, _CROWN_DEG, _PAVILION_DEG, _GIRDLE = 0.53, 34.5, 40.75, 0.025
 
 
 def build(scene: bpy.types.Scene) -> Stage:
-    environment(scene, "studio", strength=0.35, turn_deg=75.0)
-    backdrop(scene, (0.01, 0.01, 0.012), roughness=0.18)
+    environment(scene, "studio", strength=1.3, turn_deg=75.0)
+    backdrop(scene, (0.03, 0.03, 0.034), roughness=0.3)
     stones = [_place(scene, *pose) for pose in _POSES]
     for x in (-1.0, -0.35, 0.35, 1.0):
-        area_lamp(scene, (3.2 * x, -1.5, 4.6), (0.0, 0.0, 0.5), size=(0.16, 2.6), watts=60.0)
+        area_lamp(scene, (3.2 * x, -1.5, 4.6), (0.0, 0.0, 0.5), size=(0.16, 2.6), watts=110.0)
     area_lamp(scene, (0.0, 3.4, 3.4), (0.0, 0.0, 0.6), size=(2.6, 0.3), watts=70.0)
     camera(scene, (0.0, -6.4, 3.6), (0.0, 0.0, 0.5), lens_mm=85.0)
     scene.cycles.max_bounces = scene.cycles.transmission_bounces = 24

@@ -15,13 +15,13 @@ from .thickness import vary
 
 
 def build(scene: bpy.types.Scene) -> Stage:
-    environment(scene, "courtyard", strength=1.0, turn_deg=200.0)
-    area_lamp(scene, (0.0, 7.5, 4.5), (0.0, 0.0, 0.0), size=(9.0, 4.5), watts=900.0)
+    environment(scene, "sunset", strength=2.6, turn_deg=90.0)
+    area_lamp(scene, (0.0, 9.0, 7.5), (0.0, 0.0, 0.0), size=(26.0, 13.0), watts=1100.0)
     ground = mesh(scene, "Asphalt", _square(14.0), [(0, 1, 2, 3)], smooth=False)
     ground.data.materials.append(_asphalt())
     vertices, faces = _puddle(0.004)
     puddle = mesh(scene, "Puddle", vertices, faces, smooth=False)
-    camera(scene, (0.0, -4.3, 2.5), (0.0, 0.1, 0.0), lens_mm=50.0)
+    camera(scene, (0.0, -4.6, 3.4), (0.0, 0.05, 0.0), lens_mm=50.0)
     return Stage(scene, place_on(puddle), dress=_dress)
 
 
@@ -36,7 +36,7 @@ def _puddle(z: float, points: int = 360):
         a = math.tau * i / points
         r = 1.0 + 0.16 * math.sin(2 * a + 0.7) + 0.09 * math.sin(3 * a + 2.1)
         r += 0.05 * math.sin(5 * a + 0.4) + 0.018 * math.sin(11 * a) + 0.008 * math.sin(23 * a + 1)
-        vertices.append((1.75 * r * math.cos(a), 1.25 * r * math.sin(a), z))
+        vertices.append((1.3 * r * math.cos(a), 1.2 * r * math.sin(a), z))
     return vertices, [tuple(range(points))]
 
 

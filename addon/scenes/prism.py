@@ -12,15 +12,18 @@ from .light import area_lamp, camera, environment
 from .shape import backdrop, glow, mesh
 from .stage import Stage, place_on
 
-_TUBES = (-2.6, -1.75, -0.9, 0.0, 0.9, 1.75, 2.6)
+# Where the tubes stand around the prism: from the left over the back to the right. Flint glass turns
+# light by some 60 degrees, so what is seen through the prism stands at its sides.
+_TUBES_DEG = tuple(range(-20, 201, 11))
+_DISTANCE = 3.4
 
 
 def build(scene: bpy.types.Scene) -> Stage:
-    environment(scene, "studio", strength=0.12, turn_deg=60.0)
+    environment(scene, "studio", strength=0.4, turn_deg=60.0)
     backdrop(scene, (0.012, 0.012, 0.014), roughness=0.3, depth=5.0)
     tubes = glow("Tube", (1.0, 0.97, 0.93), 9.0)
-    for x in _TUBES:
-        _tube(scene, x, tubes)
+    for angle_deg in _TUBES_DEG:
+        _tube(scene, math.radians(angle_deg), tubes)
     prism = _prism(scene, side=1.55, height=1.9)
     prism.rotation_euler = (0.0, 0.0, math.radians(14.0))
     area_lamp(scene, (-2.5, -3.0, 4.5), (0.0, 0.0, 0.8), size=(1.0, 2.2), watts=60.0)
@@ -28,11 +31,12 @@ def build(scene: bpy.types.Scene) -> Stage:
     return Stage(scene, place_on(prism), samples=256)
 
 
-def _tube(scene: bpy.types.Scene, x: float, material: bpy.types.Material) -> None:
+def _tube(scene: bpy.types.Scene, angle: float, material: bpy.types.Material) -> None:
     half = 0.022
-    corners = [(-half, 0.0, 0.15), (half, 0.0, 0.15), (half, 0.0, 3.2), (-half, 0.0, 3.2)]
+    corners = [(-half, 0.0, 0.02), (half, 0.0, 0.02), (half, 0.0, 3.2), (-half, 0.0, 3.2)]
     tube = mesh(scene, "Tube", corners, [(0, 1, 2, 3)], smooth=False)
-    tube.location = (x, 2.2, 0.0)
+    tube.location = (_DISTANCE * math.cos(angle), _DISTANCE * math.sin(angle), 0.0)
+    tube.rotation_euler = (0.0, 0.0, angle + math.pi / 2.0)
     tube.data.materials.append(material)
 
 

@@ -15,7 +15,7 @@ from .thickness import vary
 
 
 def build(scene: bpy.types.Scene) -> Stage:
-    environment(scene, "studio", strength=0.5, turn_deg=30.0)
+    environment(scene, "studio", strength=0.95, turn_deg=30.0)
     backdrop(scene, (0.05, 0.053, 0.06), roughness=0.4)
     area_lamp(scene, (-3.8, -2.6, 4.6), (0.0, 0.0, 1.1), size=(2.4, 3.2), watts=520.0)
     area_lamp(
@@ -28,7 +28,7 @@ def build(scene: bpy.types.Scene) -> Stage:
     stand.data.materials.append(plain("Stand", (0.02, 0.02, 0.022), roughness=0.28))
     core = sphere(scene, "Core", (0.0, 0.0, 1.32), 0.52, rings=64)
     core.data.materials.append(plain("Core", (0.3, 0.3, 0.31), roughness=0.45))
-    camera(scene, (1.0, -8.2, 3.1), (0.0, 0.0, 1.03), lens_mm=85.0)
+    camera(scene, (1.0, -8.9, 3.2), (0.0, 0.0, 1.1), lens_mm=85.0)
     return Stage(scene, place_on(*body), dress=_dress)
 
 

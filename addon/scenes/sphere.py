@@ -12,7 +12,7 @@ from .stage import Stage, place_on
 
 
 def build(scene: bpy.types.Scene) -> Stage:
-    environment(scene, "interior", strength=0.55, turn_deg=150.0)
+    environment(scene, "interior", strength=0.9, turn_deg=150.0)
     backdrop(scene, (0.055, 0.058, 0.065), roughness=0.35)
     area_lamp(scene, (-3.6, -2.2, 4.2), (0.0, 0.0, 1.0), size=(2.2, 3.0), watts=420.0)
     area_lamp(
@@ -21,5 +21,5 @@ def build(scene: bpy.types.Scene) -> Stage:
     )
     area_lamp(scene, (0.0, 3.8, 5.0), (0.0, 1.5, 0.0), size=(5.0, 1.0), watts=260.0)
     ball = sphere(scene, "Ball", (0.0, 0.0, 1.0), 1.0, rings=128)
-    camera(scene, (0.0, -7.6, 2.1), (0.0, 0.0, 0.98), lens_mm=85.0)
+    camera(scene, (0.0, -8.0, 2.1), (0.0, 0.0, 0.98), lens_mm=85.0)
     return Stage(scene, place_on(ball))

@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""For scripts that run inside Blender: loads the extension's folder, first argument of each."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from pathlib import Path
+
+import bpy
+
+PACKAGE = "nacre_extension"
+
+
+def load():
+    sys.path.insert(0, sys.argv[1])
+    driver = importlib.import_module("driver")
+    sys.path.remove(sys.argv[1])
+    return driver.load_package(PACKAGE)
+
+
+def module(name: str):
+    return importlib.import_module(f"{PACKAGE}.{name}")
+
+
+def new_file() -> bpy.types.Object:
+    """A scene with one cube, which is active."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    bpy.ops.mesh.primitive_cube_add()
+    return bpy.context.object
+
+
+def render(path: Path) -> None:
+    scene = bpy.context.scene
+    scene.cycles.samples = 4
+    scene.cycles.use_denoising = False
+    scene.cycles.use_adaptive_sampling = False
+    scene.render.resolution_x = scene.render.resolution_y = 24
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.render.filepath = str(path)
+    bpy.ops.render.render(write_still=True)
+
+
+def pixels(path: Path) -> list[float]:
+    image = bpy.data.images.load(str(path), check_existing=False)
+    values = image.pixels[:]
+    bpy.data.images.remove(image)
+    return list(values)

@@ -1,0 +1,72 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The extension's archive: built and validated by Blender's own program, installed by its operator."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tomllib
+import zipfile
+
+import pytest
+from conftest import FIXTURES, ROOT
+
+STAGE = ROOT / "cpp_tools" / "generators" / "stage_extension.py"
+
+
+@pytest.fixture
+def archive(blender45, tmp_path):
+    path = tmp_path / "nacre.zip"
+    done = subprocess.run(
+        [sys.executable, STAGE, "--blender-ext", blender45.blender_ext, "--materials", FIXTURES, "-o", path],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    return path
+
+
+def test_archive_carries_the_version_and_the_materials(archive):
+    version = re.search(r"project\(Nacre VERSION ([0-9.]+)", (ROOT / "CMakeLists.txt").read_text())
+    with zipfile.ZipFile(archive) as files:
+        names = set(files.namelist())
+        manifest = tomllib.loads(files.read("blender_manifest.toml").decode())
+    assert manifest["version"] == version.group(1)
+    assert manifest["blender_version_min"] == "4.2.0"
+    assert {"__init__.py", "render.py", "materials/test_film/test_film_R.exr"} <= names
+    assert not any("__pycache__" in name for name in names)
+
+
+def test_manifest_states_the_project_version():
+    manifest = tomllib.loads((ROOT / "addon" / "blender_manifest.toml").read_text("utf-8"))
+    assert f"VERSION {manifest['version']} " in (ROOT / "CMakeLists.txt").read_text()
+
+
+def test_wheels_name_their_platforms(monkeypatch):
+    monkeypatch.syspath_prepend(STAGE.parent)
+    from pathlib import Path
+
+    import stage_extension
+
+    wheels = [Path("nacre-1.2.3-py3-none-manylinux_2_28_x86_64.whl")]
+    text = stage_extension.filled_manifest('version = "0.0.0"\n', "1.2.3", wheels)
+    assert tomllib.loads(text) == {
+        "version": "1.2.3",
+        "platforms": ["linux-x64"],
+        "wheels": ["./wheels/nacre-1.2.3-py3-none-manylinux_2_28_x86_64.whl"],
+    }
+
+
+def test_archive_without_materials_is_refused(blender45, tmp_path):
+    done = subprocess.run(
+        [sys.executable, STAGE, "--blender-ext", "unused", "--materials", tmp_path, "-o", tmp_path / "x.zip"],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 1 and "holds no compiled materials" in done.stderr
+    assert not (tmp_path / "x.zip").exists()
+
+
+def test_installs_through_the_operator(blender, archive):
+    del blender.environment["NACRE_MATERIALS"]
+    blender.script("install", archive, "test_film")

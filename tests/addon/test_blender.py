@@ -1,0 +1,24 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The extension inside Blender 4.5 and 5.2."""
+
+from __future__ import annotations
+
+import pytest
+
+
+def test_registers_and_unregisters_without_trace(blender):
+    blender.script("registration")
+
+
+def test_assigns_in_both_forms_and_mends(blender):
+    blender.script("assign")
+
+
+@pytest.mark.parametrize(
+    ("form", "material"), [("osl", "test_film"), ("nodes", "test_film"), ("osl", "test_grating")]
+)
+def test_saved_file_renders_the_same_without_the_extension(blender, tmp_path, form, material):
+    blender.script("save", tmp_path, form, material)
+    blender.environment["NACRE_MATERIALS"] = str(tmp_path / "nowhere")
+    blender.script("reopen", tmp_path)

@@ -1,0 +1,218 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""What the extension knows without Blender."""
+
+from __future__ import annotations
+
+import json
+import shutil
+
+import pytest
+from conftest import FIXTURES
+from nacre_extension.core.form import FormError, Renderer, choose_form
+from nacre_extension.core.library import Library
+from nacre_extension.core.manifest import ManifestError, load_folder
+from nacre_extension.core.oso import OsoError, bytecode_hash, parse_parameters, strip_provenance
+from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
+from nacre_extension.core.values import AssignmentError, parse_assignments
+
+OSO = """OpenShadingLanguage 1.00
+# Compiled by oslc 1.14.4.0dev
+# options: -o /tmp/x/s.oso -I/somewhere
+shader s
+param\tcolor\treflectance\t1 0.5 0\t\t%read{1,1}
+param\tfloat\troughness\t0.25\t\t%meta{string,label,"Roughness"} %meta{float,min,0}  %read{1,1}
+param\tstring\ttable\t"a b"\t\t%read{1,1}
+param\tnormal\tsurface_normal\t0 0 0\t\t%read{1,1} %initexpr
+oparam\tclosure color\tBSDF\t\t\t%read{2147483647,-1} %write{1,1}
+code ___main___
+"""
+
+
+@pytest.fixture
+def film():
+    return load_folder(FIXTURES / "test_film")
+
+
+@pytest.fixture
+def grating():
+    return load_folder(FIXTURES / "test_grating")
+
+
+@pytest.fixture
+def edited(tmp_path):
+    """Loads the film after a change to its manifest."""
+
+    def load(change):
+        folder = tmp_path / "test_film"
+        shutil.copytree(FIXTURES / "test_film", folder)
+        path = folder / "test_film.json"
+        data = json.loads(path.read_text("utf-8"))
+        change(data)
+        path.write_text(json.dumps(data), "utf-8")
+        return load_folder(folder)
+
+    return load
+
+
+def test_manifest_is_read(film, grating):
+    assert (film.id, film.kind, film.forms) == ("test_film", "film", ("osl", "nodes"))
+    thickness = film.socket("thickness_nm")
+    assert (thickness.default, thickness.minimum, thickness.maximum) == (400.0, 0.0, 1200.0)
+    assert [table.name for table in film.tables] == ["R", "T"]
+    assert film.negative_gamut and not film.wavelength_per_path
+    assert grating.forms == ("osl",) and grating.wavelength_per_path
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda m: m.update(schema=2), "schema: must be 1 (got 2)"),
+        (lambda m: m.update(kind="foam"), "kind: must be one of film, grating, glass (got 'foam')"),
+        (lambda m: m.pop("name"), "name: must be text (got None)"),
+        (lambda m: m.update(sockets={}), "sockets: must be a list of objects"),
+        (lambda m: m["sockets"][0].update(type="matrix"), "sockets[0].type: must be one of"),
+        (lambda m: m["sockets"][0].update(default=2000), "default: must be in [0.0, 1200.0]"),
+        (lambda m: m["sockets"][0].update(max="x"), "sockets[0].max: must be a number (got 'x')"),
+        (lambda m: m["sockets"][1].update(name="thickness_nm"), "must be a unique identifier"),
+        (lambda m: m["tables"][0].update(file="../R.exr"), "tables[0].file: '../R.exr' is missing"),
+        (lambda m: m["tables"][1].update(width=0), "must be whole numbers above 0"),
+        (lambda m: m.update(graphs={"osl": None}), "must have a graph for one of osl, nodes"),
+        (lambda m: m["graphs"]["osl"]["links"].append(["x.0", "u.0"]), "no node 'x'"),
+        (lambda m: m["graphs"]["osl"]["links"].append(["input.k", "u.0"]), "must name a socket"),
+        (lambda m: m["graphs"]["nodes"]["nodes"][-4].update(table="Q"), "must be one of the tables"),
+    ],
+)
+def test_wrong_manifest_names_the_field(edited, change, message):
+    with pytest.raises(ManifestError) as error:
+        edited(change)
+    assert message in str(error.value)
+
+
+def test_all_faults_are_named_at_once(edited):
+    def change(data):
+        data["sockets"][0]["default"] = -1
+        data["tables"][0]["height"] = "tall"
+
+    with pytest.raises(ManifestError) as error:
+        edited(change)
+    assert len(str(error.value).splitlines()) >= 2
+
+
+def test_missing_table_file_is_named(tmp_path):
+    folder = tmp_path / "test_film"
+    shutil.copytree(FIXTURES / "test_film", folder)
+    (folder / "test_film_T.exr").unlink()
+    with pytest.raises(ManifestError, match=r"tables\[1\].file: 'test_film_T.exr' is missing"):
+        load_folder(folder)
+
+
+def test_broken_json_names_the_line(tmp_path):
+    (tmp_path / "x.json").write_text('{\n"schema": 1,\n!', "utf-8")
+    with pytest.raises(ManifestError, match=r"x\.json:3: not JSON"):
+        load_folder(tmp_path)
+
+
+def test_library_lists_what_it_can_read(tmp_path):
+    shutil.copytree(FIXTURES / "test_grating", tmp_path / "test_grating")
+    (tmp_path / "broken").mkdir()
+    library = Library(tmp_path)
+    assert list(library.entries()) == ["test_grating"]
+    with pytest.raises(ManifestError, match="unknown material 'soap'; there are: test_grating"):
+        library.load("soap")
+
+
+def test_parameters_of_a_compiled_shader():
+    parameters = {p.name: p for p in parse_parameters(OSO)}
+    assert list(parameters) == ["reflectance", "roughness", "table", "surface_normal", "BSDF"]
+    assert parameters["reflectance"].default == (1.0, 0.5, 0.0)
+    assert parameters["roughness"].default == (0.25,)
+    assert parameters["roughness"].label == "Roughness"
+    assert parameters["table"].default == "a b"
+    assert parameters["surface_normal"].default is None  # N, known only while shading
+    assert parameters["BSDF"].is_output and parameters["BSDF"].type == "closure color"
+
+
+def test_text_that_is_no_shader_is_refused():
+    with pytest.raises(OsoError, match="must start with"):
+        parse_parameters("shader s")
+
+
+def test_provenance_does_not_change_the_program():
+    stripped = strip_provenance(OSO)
+    assert "/tmp" not in stripped and "oslc" not in stripped
+    assert parse_parameters(stripped) == parse_parameters(OSO)
+    assert bytecode_hash("abc") == "900150983cd24fb0d6963f7d28e17f72"  # RFC 1321, A.5
+
+
+@pytest.mark.parametrize(
+    ("renderer", "form"),
+    [
+        (Renderer(has_osl=True), "osl"),
+        (Renderer(has_osl=False), "nodes"),
+        (Renderer(has_osl=True, engine="BLENDER_EEVEE"), "nodes"),
+        (Renderer(has_osl=True, device="GPU", backend="OPTIX"), "osl"),
+        (Renderer(has_osl=True, device="GPU", backend="HIP"), "nodes"),
+    ],
+)
+def test_automatic_form(film, renderer, form):
+    assert choose_form(film, "auto", renderer) == form
+
+
+def test_grating_keeps_osl_and_says_when_there_is_none(grating):
+    assert choose_form(grating, "auto", Renderer(has_osl=True, engine="BLENDER_EEVEE")) == "osl"
+    with pytest.raises(FormError, match="OSL needed: Test Grating"):
+        choose_form(grating, "auto", Renderer(has_osl=False))
+    with pytest.raises(FormError, match="has no form as nodes"):
+        choose_form(grating, "nodes", Renderer(has_osl=True))
+
+
+def test_values_are_parsed_by_the_socket_type(grating):
+    values = parse_assignments(grating, ["pitch_nm=740", "tint=1,0.5,0", "bands=4"])
+    assert values == {"pitch_nm": 740.0, "tint": (1.0, 0.5, 0.0, 1.0), "bands": 4}
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("pitch_nm", "must be name=value"),
+        ("depth=3", "has no value 'depth'; there are: pitch_nm, tint, bands"),
+        ("normal=1", "has no value 'normal'"),
+        ("pitch_nm=99", r"pitch_nm: must be in \[300, 3200\] nm \(got 99\)"),
+        ("pitch_nm=nan", "must be finite"),
+        ("pitch_nm=wide", "must be a number"),
+        ("bands=2.5", "must be a whole number"),
+        ("tint=1,2", "must be R,G,B"),
+        ("tint=1,-1,0", "must be R,G,B, each ≥ 0"),
+    ],
+)
+def test_wrong_values_are_refused(grating, text, message):
+    with pytest.raises(AssignmentError, match=message):
+        parse_assignments(grating, [text])
+
+
+SOUND = SceneState("CYCLES", True, True, False, True, True)
+
+
+@pytest.mark.parametrize(
+    ("change", "operators"),
+    [
+        ({}, []),
+        ({"engine": "BLENDER_EEVEE"}, ["nacre.use_cycles"]),
+        ({"osl_on": False}, ["nacre.use_osl"]),
+        ({"gpu_without_osl": True}, ["nacre.use_cpu"]),
+        ({"motion_blur": False}, ["nacre.use_wavelengths"]),
+        ({"flat_shutter": False}, ["nacre.use_wavelengths"]),
+        ({"missing_tables": ("R",)}, ["nacre.rebuild_material"]),
+        ({"has_osl": False, "osl_on": False}, [None]),
+    ],
+)
+def test_problems_come_with_their_mends(change, operators):
+    state = SceneState(**{**SOUND.__dict__, **change})
+    problems = find_problems(AssignedMaterial("osl", wavelength_per_path=True), state)
+    assert [problem.operator for problem in problems] == operators
+
+
+def test_nodes_need_neither_osl_nor_wavelengths():
+    state = SceneState("BLENDER_EEVEE", False, False, False, False, False)
+    assert find_problems(AssignedMaterial("nodes", wavelength_per_path=False), state) == []

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""`render`: pictures, wrong usage, interruption."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import time
+
+import pytest
+from conftest import FIXTURES, ROOT
+
+QUICK = ("--stage", "furnace", "--size", "16x16", "--samples", "2")
+
+
+def test_same_pixels_every_time(blender, tmp_path):
+    outputs = [tmp_path / "a.exr", tmp_path / "b.exr"]
+    for path in outputs:
+        done = blender.render("--material", "test_film", *QUICK, "-o", path)
+        assert done.returncode == 0, done.stderr
+    assert outputs[0].read_bytes() == outputs[1].read_bytes()
+
+
+def test_report_and_both_kinds_of_file(blender, tmp_path):
+    exr, png = tmp_path / "a.exr", tmp_path / "a.png"
+    done = blender.render(
+        "--compiled", FIXTURES / "test_grating", *QUICK, "--set", "pitch_nm=800", "--json",
+        "-o", exr, "-o", png,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    assert report["materials"] == {"test_grating": "osl"}
+    assert report["output"] == [str(exr), str(png)]
+    assert report["samples"] == 2 and report["size"] == [16, 16]
+    assert exr.read_bytes()[:4] == b"\x76\x2f\x31\x01"
+    assert png.read_bytes()[:4] == b"\x89PNG"
+    assert "motion blur is on" in done.stderr
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["a.exr", "a.png", "user"]
+
+
+def test_blend_with_frames_and_assignment(blender, tmp_path):
+    blender.script("save", tmp_path, "nodes", "test_film")
+    pattern = tmp_path / "f_###.exr"
+    done = blender.render(
+        "--blend", tmp_path / "saved.blend", "--assign", "Cube=test_film", "--frames", "2-3",
+        "--size", "16x16", "--samples", "1", "-o", pattern,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert sorted(p.name for p in tmp_path.glob("f_*")) == ["f_002.exr", "f_003.exr"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--material", "soap"], "unknown material 'soap'; there are: test_film, test_grating"),
+        (["--material", "test_film", "--set", "depth=1"], "there are: thickness_nm, roughness"),
+        (["--material", "test_film", "--set", "thickness_nm=-5"], "must be in [0, 1200] nm (got -5)"),
+        (["--material", "test_film", "--stage", "cellar"], "unknown stage 'cellar'; there are: furnace"),
+        (["--material", "test_film", "--samples", "0"], "must be a whole number ≥ 1 (got '0')"),
+        (["--material", "test_film", "--size", "16"], "must be WxH"),
+        (["--material", "test_film", "--view", "Sepia"], "--view"),
+        (["--material", "test_grating", "--form", "nodes"], "has no form as nodes"),
+        (["--compiled", "nowhere"], "must be a folder with one manifest"),
+        (["--template", "nowhere.toml"], "--template"),
+        (["--blend", "nowhere.blend"], "no file nowhere.blend"),
+        (["--material", "test_film", "--frames", "1-2"], "need --blend"),
+        ([], "give one of --material"),
+    ],
+)
+def test_wrong_usage_is_told_and_writes_nothing(blender45, tmp_path, arguments, message):
+    output = tmp_path / "out.exr"
+    output.write_bytes(b"kept")
+    done = blender45.render(*arguments, "-o", output)
+    assert done.returncode == 1
+    assert message in done.stderr and "Traceback" not in done.stderr
+    assert done.stdout == ""
+    assert output.read_bytes() == b"kept"
+
+
+@pytest.mark.parametrize("name", ["out.jpg", "nowhere/out.exr", "out"])
+def test_wrong_output_is_told_before_the_work(blender45, tmp_path, name):
+    done = blender45.render("--material", "test_film", "-o", tmp_path / name)
+    assert done.returncode == 1 and "-o: " in done.stderr
+    assert [p.name for p in tmp_path.iterdir()] == ["user"]
+
+
+def test_file_that_cannot_be_finished_is_not_left(blender45, tmp_path):
+    """The limit on file sizes stands in for a disc that fills up while the picture is written."""
+    output = tmp_path / "out.exr"
+    output.write_bytes(b"kept")
+    command = blender45.command(
+        ROOT / "addon" / "driver.py", "render", "--material", "test_film", "--stage", "furnace",
+        "--size", "128x128", "--samples", "1", "-o", output,
+    )  # fmt: skip
+    limited = ["bash", "-c", 'trap "" XFSZ; ulimit -f 16; exec "$@"', "bash", *command]
+    done = subprocess.run(
+        limited, env=blender45.environment, capture_output=True, text=True, timeout=600, check=False
+    )
+    assert done.returncode == 1, done.stdout + done.stderr
+    assert "could not be written" in done.stderr
+    assert output.read_bytes() == b"kept"
+    assert sorted(p.name for p in tmp_path.iterdir()) == ["out.exr", "user"]
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_interrupting_leaves_no_half_file(blender45, tmp_path, number):
+    command = blender45.command(
+        ROOT / "addon" / "driver.py", "render", "--material", "test_film", "--stage", "furnace",
+        "--size", "1024x1024", "--samples", "100000", "-v", "-o", tmp_path / "out.exr",
+    )  # fmt: skip
+    process = subprocess.Popen(
+        command, env=blender45.environment, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True
+    )
+    for line in process.stderr:  # Blender's own messages: the render is under way
+        if "Sample" in line:
+            break
+    started = time.monotonic()
+    process.send_signal(number)
+    process.stderr.read()
+    assert process.wait(timeout=60) == 128 + number
+    assert time.monotonic() - started < 30
+    assert [p.name for p in tmp_path.iterdir()] == ["user"]
