@@ -12,6 +12,8 @@ from pathlib import Path
 
 import bpy
 
+from .core.whole_file import is_whole
+
 SUFFIXES = {".exr": "OPEN_EXR", ".png": "PNG"}
 
 
@@ -57,8 +59,8 @@ class Writer:
         try:
             with _image_settings(self._scene, SUFFIXES[path.suffix.lower()]):
                 bpy.data.images["Render Result"].save_render(str(self._aside), scene=self._scene)
-            if not self._aside.is_file() or self._aside.stat().st_size == 0:
-                raise OutputError(f"{path}: could not be written")
+            if not is_whole(self._aside):
+                raise OutputError(f"{path}: could not be written to its end; is the disc full?")
             os.replace(self._aside, path)
         except (RuntimeError, OSError) as error:
             raise OutputError(f"{path}: could not be written: {error}") from error

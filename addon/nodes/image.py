@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import bpy
-import numpy as np
 
 from ..core.manifest import CompiledMaterial, ManifestError, Table
 
@@ -52,6 +51,8 @@ def _from_file(material: CompiledMaterial, table: Table) -> bpy.types.Image:
 
 
 def _from_texels(material: CompiledMaterial, table: Table) -> bpy.types.Image:
+    import numpy as np  # some distributions' Blender comes without it; tables in files do not need it
+
     texels = np.asarray(material.texels[table.name], dtype=np.float32)
     if texels.shape != (table.height, table.width, 3):
         raise ManifestError(

@@ -14,6 +14,7 @@ from nacre_extension.core.library import Library
 from nacre_extension.core.manifest import ManifestError, load_folder
 from nacre_extension.core.oso import OsoError, bytecode_hash, parse_parameters, strip_provenance
 from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
+from nacre_extension.core.whole_file import is_whole
 from nacre_extension.core.values import AssignmentError, parse_assignments
 
 OSO = """OpenShadingLanguage 1.00
@@ -216,3 +217,13 @@ def test_problems_come_with_their_mends(change, operators):
 def test_nodes_need_neither_osl_nor_wavelengths():
     state = SceneState("BLENDER_EEVEE", False, False, False, False, False)
     assert find_problems(AssignedMaterial("nodes", wavelength_per_path=False), state) == []
+
+
+def test_cut_off_picture_is_not_whole(tmp_path):
+    whole = FIXTURES / "test_film" / "test_film_R.exr"
+    assert is_whole(whole)
+    data = whole.read_bytes()
+    cut = tmp_path / "cut.exr"
+    for length in (0, 4, 40, len(data) // 2, len(data) - 1):
+        cut.write_bytes(data[:length])
+        assert not is_whole(cut)

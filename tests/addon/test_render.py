@@ -20,7 +20,7 @@ def test_same_pixels_every_time(blender, tmp_path):
     for path in outputs:
         done = blender.render("--material", "test_film", *QUICK, "-o", path)
         assert done.returncode == 0, done.stderr
-    assert outputs[0].read_bytes() == outputs[1].read_bytes()
+    blender.script("same_pixels", *outputs)
 
 
 def test_report_and_both_kinds_of_file(blender, tmp_path):
@@ -99,7 +99,7 @@ def test_file_that_cannot_be_finished_is_not_left(blender45, tmp_path):
         limited, env=blender45.environment, capture_output=True, text=True, timeout=600, check=False
     )
     assert done.returncode == 1, done.stdout + done.stderr
-    assert "could not be written" in done.stderr
+    assert "could not be written to its end" in done.stderr
     assert output.read_bytes() == b"kept"
     assert sorted(p.name for p in tmp_path.iterdir()) == ["out.exr", "user"]
 
