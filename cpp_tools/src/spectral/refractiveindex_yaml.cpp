@@ -37,7 +37,7 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text)
 }
 
 /// The start of what a user wrote, for a message: bytes that may be no UTF-8 become `?`.
-std::string quoted(std::string_view text)
+std::string excerpt(std::string_view text)
 {
     constexpr std::size_t kMost = 60;
     std::string shown(text.substr(0, kMost));
@@ -100,7 +100,7 @@ private:
             add(line_of(type.Mark()), field + ".type",
                 fmt::format("must be 'tabulated n', 'tabulated k', 'tabulated nk' or "
                             "'formula 1' … 'formula 9' (got '{}')",
-                            quoted(kind)));
+                            excerpt(kind)));
         }
     }
 
@@ -128,7 +128,7 @@ private:
             at = end + 1;
             auto numbers = parse_numbers(row);
             if (!numbers) {
-                add(line, path, fmt::format("must be numbers (got '{}')", quoted(row)));
+                add(line, path, fmt::format("must be numbers (got '{}')", excerpt(row)));
             } else if (!numbers->empty()) {
                 rows.push_back({line, std::move(*numbers)});
             }
