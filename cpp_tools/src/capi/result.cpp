@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <memory>
+#include <string_view>
+
+#include "guard.h"
+#include "nacre/lut/film_table.h"
+#include "nacre/material/template.h"
+#include "nacre/pipeline/compile.h"
+#include "nacre/spectral/colour.h"
+
+struct nacre_result {
+    std::string id, osl, manifest;
+    std::vector<nacre::lut::Table> tables;
+};
+
+namespace nacre::capi {
+namespace {
+
+/// Medium `j` of the caller's array.
+lut::IndexOnGrid index_on_grid(const nacre_film& film, std::size_t j)
+{
+    lut::IndexOnGrid n;
+    const double* pairs = film.n + 2 * NACRE_WAVELENGTHS * j;
+    for (std::size_t i = 0; i < n.size(); ++i) n[i] = {pairs[2 * i], pairs[2 * i + 1]};
+    return n;
+}
+
+void check(const nacre_film& film)
+{
+    require(film.n, "n");
+    if (film.layers > 0) require(film.d_nm, "d_nm");
+    require(film.illuminant, "illuminant");
+    require(film.observer, "observer");
+    require(film.space, "space");
+    if (film.layers > optics::kMaxLayers)
+        fail("d_nm",
+             fmt::format("must have at most {} layers (got {})", optics::kMaxLayers, film.layers));
+    if (film.varying < -2)
+        fail("varying", "must be the index of a layer, -1 (scale) or -2 (nothing)");
+}
+
+lut::FilmTableRequest film_request(const nacre_film& film)
+{
+    check(film);
+    lut::FilmTableRequest request;
+    request.stack.ambient = index_on_grid(film, 0);
+    request.stack.substrate = index_on_grid(film, film.layers + 1);
+    for (std::size_t j = 0; j < film.layers; ++j)
+        request.stack.layers.push_back(
+            {.n = index_on_grid(film, j + 1),
+             .thickness_nm = film.d_nm[j],
+             .coherent = film.coherent == nullptr || film.coherent[j] != 0});
+    if (film.varying != -2) {
+        request.variation = lut::Variation{.layer = {}, .min = film.min, .max = film.max};
+        if (film.varying >= 0) request.variation->layer = static_cast<std::size_t>(film.varying);
+    }
+    request.weights = spectral::reflectance_weights(spectral::named_illuminant(film.illuminant),
+                                                    spectral::observer_from_name(film.observer),
+                                                    spectral::colour_space(film.space));
+    request.tolerance = film.tolerance;
+    if (film.width > 0 || film.height > 0) request.size = {film.width, film.height};
+    request.transmittance = film.transmittance != 0;
+    return request;
+}
+
+}  // namespace
+}  // namespace nacre::capi
+
+extern "C" {
+
+nacre_status nacre_film_lut(const nacre_film* film, nacre_result** result)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        capi::require(film, "film");
+        capi::require(result, "result");
+        auto tables = lut::bake_film_tables(capi::film_request(*film));
+        auto made = std::make_unique<nacre_result>();
+        made->tables.push_back(std::move(tables.reflectance));
+        if (tables.transmittance) made->tables.push_back(std::move(*tables.transmittance));
+        *result = made.release();
+    });
+}
+
+nacre_status nacre_compile_template(const char* text, const char* file, const char* illuminant,
+                                    const char* observer, const char* space, double tolerance,
+                                    nacre_result** result)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        for (const auto& [pointer, field] : {std::pair{text, "text"},
+                                             {file, "file"},
+                                             {illuminant, "illuminant"},
+                                             {observer, "observer"},
+                                             {space, "space"}})
+            capi::require(pointer, field);
+        capi::require(result, "result");
+        pipeline::CompileOptions options;
+        options.illuminant = illuminant;
+        options.observer = spectral::observer_from_name(observer);
+        options.space = space;
+        options.tolerance = tolerance;
+        auto compiled = pipeline::compile(material::parse_template(text, file), options);
+        *result = new nacre_result{std::move(compiled.id), std::move(compiled.osl),
+                                   std::move(compiled.manifest), std::move(compiled.tables)};
+    });
+}
+
+size_t nacre_result_tables(const nacre_result* result)
+{
+    return result == nullptr ? 0 : result->tables.size();
+}
+
+nacre_status nacre_result_table(const nacre_result* result, size_t index, nacre_table* table)
+{
+    return nacre::capi::guarded([&] {
+        nacre::capi::require(result, "result");
+        nacre::capi::require(table, "table");
+        if (index >= result->tables.size())
+            nacre::capi::fail("index",
+                              fmt::format("must be < {} (got {})", result->tables.size(), index));
+        const nacre::lut::Table& source = result->tables[index];
+        *table = {.name = source.name.c_str(),
+                  .quantity = source.quantity.c_str(),
+                  .x_name = source.x.name.c_str(),
+                  .y_name = source.y.name.c_str(),
+                  .x_min = source.x.min,
+                  .x_max = source.x.max,
+                  .y_min = source.y.min,
+                  .y_max = source.y.max,
+                  .width = source.x.texels,
+                  .height = source.y.texels,
+                  .channels = static_cast<int>(source.channels.size()),
+                  .error_max = source.error_max,
+                  .error_mean = source.error_mean,
+                  .texels = source.texels.data()};
+    });
+}
+
+const char* nacre_result_text(const nacre_result* result, const char* name)
+{
+    if (result == nullptr || name == nullptr || result->id.empty()) return nullptr;
+    const std::string_view wanted(name);
+    if (wanted == "id") return result->id.c_str();
+    if (wanted == "osl") return result->osl.c_str();
+    if (wanted == "manifest") return result->manifest.c_str();
+    return nullptr;
+}
+
+void nacre_result_free(nacre_result* result)
+{
+    delete result;
+}
+}
