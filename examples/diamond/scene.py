@@ -7,8 +7,10 @@ from __future__ import annotations
 import math
 import sys
 
+import bpy  # first: it brings the modules below
+
+# isort: split
 import bmesh
-import bpy
 from mathutils import Vector
 from staging import backdrop, camera, lamp, new_scene, save, wave_material
 

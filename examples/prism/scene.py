@@ -38,7 +38,7 @@ def light_tubes(count: int, radius: float) -> None:
     for index in range(count):
         azimuth = math.radians(-28.0 + 236.0 * index / (count - 1))
         bpy.ops.mesh.primitive_cylinder_add(
-            radius=0.06,
+            radius=0.045,
             depth=2.6,
             location=(radius * math.cos(azimuth), radius * math.sin(azimuth), 1.32),
         )
@@ -52,8 +52,9 @@ def light_tubes(count: int, radius: float) -> None:
 def main() -> None:
     new_scene("studio", strength=0.12, turn_deg=150.0)
     backdrop((0.02, 0.02, 0.023), roughness=0.3, depth=7.0)
-    light_tubes(13, 3.2)
-    for x, y, turn_deg in ((-0.95, 0.1, 30.0), (0.85, 0.35, -18.0)):
+    light_tubes(27, 3.2)
+    # One edge towards the camera: both faces beside it are near the angle of least deviation.
+    for x, y, turn_deg in ((-0.95, 0.1, 57.0), (0.85, 0.35, 64.0)):
         obj = prism("Prism", 1.1, 1.5)
         obj.location = (x, y, 0.002)
         obj.rotation_euler.z = math.radians(turn_deg)
