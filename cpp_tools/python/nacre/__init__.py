@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Optics of films, gratings and spectra as colours: numpy over the C interface of Nacre.
+
+Conventions (normative page: cpp_tools/doc/conventions.md): indices are n + ik with k >= 0, stacks
+are listed from the ambient down, angles are measured in the ambient, wavelengths are in vacuum.
+"""
+
+from __future__ import annotations
+
+from . import library
+from ._colour import Colour, spectrum_to_colour
+from ._compile import CompiledMaterial, compile_template
+from ._film import FilmLut, Table, film_lut
+from ._grating import GratingOrders, grating_orders
+from ._native import NacreError, version
+from ._stack import StackResult, stack
+
+__version__ = version()
+__all__ = [
+    "Colour",
+    "CompiledMaterial",
+    "FilmLut",
+    "GratingOrders",
+    "NacreError",
+    "StackResult",
+    "Table",
+    "compile_template",
+    "film_lut",
+    "grating_orders",
+    "library",
+    "spectrum_to_colour",
+    "stack",
+]

@@ -1,0 +1,132 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Colour tables of film stacks."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from ctypes import c_void_p
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _native, library
+from ._native import WAVELENGTHS, NacreError, check, complexes, doubles, lib, take_tables, text
+
+GRID_NM = np.arange(360.0, 831.0)
+
+
+class Table(NamedTuple):
+    """texels: float32 (height, width, 3), row 0 at the minimum of y; x and y: name, min, max."""
+
+    texels: np.ndarray
+    x: tuple[str, float, float]
+    y: tuple[str, float, float]
+    error_max: float
+    error_mean: float
+
+
+class FilmLut(NamedTuple):
+    reflectance: Table
+    transmittance: Table | None
+
+
+def _index(medium: Any) -> np.ndarray:
+    if isinstance(medium, str):
+        return library.medium(medium).index(GRID_NM)
+    values = complexes(medium, "media")
+    if values.shape not in ((), (WAVELENGTHS,)):
+        raise NacreError(
+            f"media: must be a library key, a number or {WAVELENGTHS} numbers for 360-830 nm "
+            f"(got shape {values.shape})"
+        )
+    return np.broadcast_to(values, (WAVELENGTHS,))
+
+
+def _table(info: _native.TableInfo, texels: np.ndarray) -> Table:
+    return Table(
+        texels,
+        (info.x_name.decode(), info.x_min, info.x_max),
+        (info.y_name.decode(), info.y_min, info.y_max),
+        info.error_max,
+        info.error_mean,
+    )
+
+
+def film_lut(
+    media: Sequence[Any],
+    d_nm: ArrayLike,
+    varying: int | str | None = None,
+    range_: tuple[float, float] = (0.0, 1.0),
+    *,
+    coherent: Sequence[bool] | None = None,
+    transmittance: bool = False,
+    tolerance: float = 0.1,
+    size: tuple[int, int] | None = None,
+    illuminant: str = "D65",
+    observer: str = "cie1931",
+    space: str = "lin_rec709_scene",
+) -> FilmLut:
+    """Colour of a stack over the cosine of the angle and a thickness, as a table for a renderer.
+
+    Parameters
+    ----------
+    media : sequence, length layers + 2
+        Ambient to substrate; each a library key ("SiO2/Malitson"), a number n + ik, or 471 numbers
+        for 360-830 nm.
+    d_nm : float, shape (layers,)
+    varying : int, "scale" or None
+        Layer whose thickness is the second axis; "scale": a factor on all coherent layers.
+    range_ : (min, max)
+        Of the second axis: nm, or a factor.
+    tolerance : float
+        Largest CIEDE2000 difference allowed between the table, read bilinearly, and the exact
+        colour, for angles up to 87 degrees; decides the size.
+    size : (width, height), optional
+        Takes this size instead.
+
+    Returns
+    -------
+    FilmLut
+        Each table states its measured error. Values are not clipped: colours may be out of gamut.
+
+    Raises
+    ------
+    NacreError
+        Names the field; also when no table of 4096 texels per axis meets the tolerance.
+    """
+    thickness = doubles(d_nm, "d_nm")
+    layers = thickness.size
+    if len(media) != layers + 2:
+        raise NacreError(f"media: must list {layers + 2} for {layers} layers (got {len(media)})")
+    if varying is not None and varying != "scale" and not 0 <= int(varying) < layers:
+        raise NacreError(f"varying: must be a layer, 'scale' or None (got {varying!r})")
+    n = np.ascontiguousarray([_index(medium) for medium in media], dtype=np.complex128)
+    flags = np.array([True] * layers if coherent is None else coherent, dtype=np.uint8)
+    if flags.shape != (layers,):
+        raise NacreError(f"coherent: must have {layers} flags (got {flags.shape})")
+    film = _native.Film(
+        layers=layers,
+        n=n.ctypes.data,
+        d_nm=thickness.ctypes.data,
+        coherent=flags.ctypes.data,
+        varying={None: -2, "scale": -1}.get(varying, varying),
+        min=float(range_[0]),
+        max=float(range_[1]),
+        illuminant=text(illuminant, "illuminant"),
+        observer=text(observer, "observer"),
+        space=text(space, "space"),
+        tolerance=float(tolerance),
+        width=0 if size is None else int(size[0]),
+        height=0 if size is None else int(size[1]),
+        transmittance=int(transmittance),
+    )
+    handle = c_void_p()
+    check(lib.nacre_film_lut(ctypes.byref(film), ctypes.byref(handle)))
+    try:
+        tables = [_table(*table) for table in take_tables(handle)]
+    finally:
+        lib.nacre_result_free(handle)
+    return FilmLut(tables[0], tables[1] if transmittance else None)

@@ -1,0 +1,180 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Loads the shared library and declares the functions of `capi.h`."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+from ctypes import POINTER, Structure, c_char_p, c_double, c_float, c_int, c_size_t, c_void_p
+from pathlib import Path
+
+import numpy as np
+
+API_VERSION = 1
+WAVELENGTHS = 471
+
+
+class NacreError(ValueError):
+    """Wrong input; the message names the field and what is allowed."""
+
+
+class Colour(Structure):
+    _fields_ = [("XYZ", c_double * 3), ("Lab", c_double * 3), ("rgb", c_double * 3)]
+
+
+class Grating(Structure):
+    _fields_ = [
+        ("pitch_nm", c_double),
+        ("wavelength_nm", c_double),
+        ("grating_vector", c_double * 3),
+        ("normal", c_double * 3),
+        ("k_in", c_double * 3),
+        ("profile", c_char_p),
+        ("phase_rad", c_double),
+        ("duty", c_double),
+    ]
+
+
+class TableInfo(Structure):
+    _fields_ = [
+        ("name", c_char_p),
+        ("quantity", c_char_p),
+        ("x_name", c_char_p),
+        ("y_name", c_char_p),
+        ("x_min", c_double),
+        ("x_max", c_double),
+        ("y_min", c_double),
+        ("y_max", c_double),
+        ("width", c_int),
+        ("height", c_int),
+        ("channels", c_int),
+        ("error_max", c_double),
+        ("error_mean", c_double),
+        ("texels", POINTER(c_float)),
+    ]
+
+
+class Film(Structure):
+    _fields_ = [
+        ("layers", c_size_t),
+        ("n", c_void_p),
+        ("d_nm", c_void_p),
+        ("coherent", c_void_p),
+        ("varying", c_int),
+        ("min", c_double),
+        ("max", c_double),
+        ("illuminant", c_char_p),
+        ("observer", c_char_p),
+        ("space", c_char_p),
+        ("tolerance", c_double),
+        ("width", c_int),
+        ("height", c_int),
+        ("transmittance", c_int),
+    ]
+
+
+class Medium(Structure):
+    _fields_ = [
+        ("key", c_char_p),
+        ("name", c_char_p),
+        ("references", c_char_p),
+        ("comments", c_char_p),
+        ("first_nm", c_double),
+        ("last_nm", c_double),
+    ]
+
+
+_SIGNATURES = {
+    "nacre_api_version": (c_int, []),
+    "nacre_version": (c_char_p, []),
+    "nacre_last_error": (c_char_p, []),
+    "nacre_stack": (c_int, [c_size_t, c_size_t, *[c_void_p] * 5, c_int, c_void_p, c_void_p]),
+    "nacre_spectrum_to_colour": (
+        c_int,
+        [c_size_t, c_void_p, c_void_p, c_int, *[c_char_p] * 3, POINTER(Colour)],
+    ),
+    "nacre_grating_orders": (c_int, [POINTER(Grating), c_int, c_int, c_void_p, c_void_p]),
+    "nacre_film_lut": (c_int, [POINTER(Film), POINTER(c_void_p)]),
+    "nacre_compile_template": (c_int, [*[c_char_p] * 5, c_double, POINTER(c_void_p)]),
+    "nacre_result_tables": (c_size_t, [c_void_p]),
+    "nacre_result_table": (c_int, [c_void_p, c_size_t, POINTER(TableInfo)]),
+    "nacre_result_text": (c_char_p, [c_void_p, c_char_p]),
+    "nacre_result_free": (None, [c_void_p]),
+    "nacre_library_count": (c_size_t, []),
+    "nacre_library_key": (c_char_p, [c_size_t]),
+    "nacre_library_medium": (c_int, [c_char_p, POINTER(Medium)]),
+    "nacre_library_index": (c_int, [c_char_p, c_size_t, c_void_p, c_void_p]),
+}
+
+
+def _load() -> ctypes.CDLL:
+    """`NACRE_LIBRARY` names the file; otherwise it lies beside this module, as in the wheel."""
+    path = os.environ.get("NACRE_LIBRARY") or str(Path(__file__).with_name("libnacre.so"))
+    try:
+        loaded = ctypes.CDLL(path)
+    except OSError as error:
+        raise ImportError(f"nacre: cannot load {path}: {error}") from error
+    for name, (result, arguments) in _SIGNATURES.items():
+        function = getattr(loaded, name)
+        function.restype, function.argtypes = result, arguments
+    found = loaded.nacre_api_version()
+    if found != API_VERSION:
+        raise ImportError(f"nacre: {path} has interface {found}, this package needs {API_VERSION}")
+    return loaded
+
+
+lib = _load()
+
+
+def version() -> str:
+    return lib.nacre_version().decode()
+
+
+def check(status: int) -> None:
+    """Raises what the library reported about the last call of this thread."""
+    if status == 0:
+        return
+    message = lib.nacre_last_error().decode()
+    if status == 1:
+        raise NacreError(message)
+    if status == 2:
+        raise MemoryError(message)
+    raise RuntimeError(message)
+
+
+def doubles(values: object, name: str, shape: tuple[int, ...] | None = None) -> np.ndarray:
+    """A contiguous array of float64."""
+    try:
+        array = np.array(values, dtype=np.float64, order="C")
+    except (TypeError, ValueError) as error:
+        raise NacreError(f"{name}: must be real numbers ({error})") from error
+    if shape is not None and array.shape != shape:
+        raise NacreError(f"{name}: must have shape {shape} (got {array.shape})")
+    return array
+
+
+def complexes(values: object, name: str) -> np.ndarray:
+    """A contiguous array of complex128."""
+    try:
+        return np.array(values, dtype=np.complex128, order="C")
+    except (TypeError, ValueError) as error:
+        raise NacreError(f"{name}: must be numbers ({error})") from error
+
+
+def text(value: object, name: str) -> bytes:
+    if not isinstance(value, str) or "\0" in value:
+        raise NacreError(f"{name}: must be text without null characters (got {value!r})")
+    return value.encode()
+
+
+def take_tables(handle: c_void_p) -> list[tuple[TableInfo, np.ndarray]]:
+    """Copies the tables of a result: float32 (height, width, channels), row 0 = y_min. The strings
+    of the infos live as long as the result."""
+    tables = []
+    for index in range(lib.nacre_result_tables(handle)):
+        info = TableInfo()
+        check(lib.nacre_result_table(handle, index, ctypes.byref(info)))
+        shape = (info.height, info.width, info.channels)
+        tables.append((info, np.ctypeslib.as_array(info.texels, shape).copy()))
+    return tables
