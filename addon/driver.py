@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs `render …` where the extension is not installed.
 
-    python driver.py render …                       with the bpy wheel
-    blender -b --factory-startup --python driver.py -- render …
+python driver.py render …                       with the bpy wheel
+blender -b --factory-startup --python driver.py -- render …
 """
 
 from __future__ import annotations

@@ -61,7 +61,7 @@ class Writer:
                 bpy.data.images["Render Result"].save_render(str(self._aside), scene=self._scene)
             if not is_whole(self._aside):
                 raise OutputError(f"{path}: could not be written to its end; is the disc full?")
-            os.replace(self._aside, path)
+            self._aside.replace(path)
         except (RuntimeError, OSError) as error:
             raise OutputError(f"{path}: could not be written: {error}") from error
         finally:

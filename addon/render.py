@@ -76,7 +76,7 @@ def main(argv: Sequence[str]) -> int:
         options = _parse(argv)
         outputs = [Path(path).absolute() for path in options.output]
         with console.own_stdout(options.verbose) as stdout:
-            output.check([path if options.frames is None else path for path in outputs])
+            output.check(outputs)
             report = _run(options, outputs)
             if options.json:
                 print(json.dumps(report, sort_keys=True), file=stdout)
@@ -106,8 +106,12 @@ def _parser() -> argparse.ArgumentParser:
     )
     what = parser.add_argument_group("what to render (one of the four)")
     what.add_argument("--material", metavar="ID", help="a compiled material of the library")
-    what.add_argument("--compiled", metavar="DIR", type=Path, help="the folder of a compiled material")
-    what.add_argument("--template", metavar="FILE", type=Path, help="a template, compiled on the way")
+    what.add_argument(
+        "--compiled", metavar="DIR", type=Path, help="the folder of a compiled material"
+    )
+    what.add_argument(
+        "--template", metavar="FILE", type=Path, help="a template, compiled on the way"
+    )
     what.add_argument("--blend", metavar="FILE", type=Path, help="a .blend file")
     stage = parser.add_argument_group("a material")
     stage.add_argument(
@@ -325,9 +329,7 @@ def _set_picture(scene: bpy.types.Scene, options: argparse.Namespace) -> None:
             setattr(render, name, False)
 
 
-def _render(
-    scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[Path]
-) -> list[Path]:
+def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[Path]) -> list[Path]:
     writer = output.Writer(scene)
     frames = options.frames or [None]
     written = []

@@ -53,4 +53,6 @@ def _require(material: CompiledMaterial, form: str, renderer: Renderer) -> None:
         detail = "; OSL is needed for it" if form == NODES else ""
         raise FormError(f"{material.name} has no form as {form}{detail}")
     if form == OSL and not renderer.has_osl:
-        raise FormError(f"OSL needed: {material.name} needs a Blender built with Open Shading Language")
+        raise FormError(
+            f"OSL needed: {material.name} needs a Blender built with Open Shading Language"
+        )

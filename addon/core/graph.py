@@ -80,7 +80,9 @@ def _parse_nodes(
     nodes: dict[str, Node] = {}
     for index, item in enumerate(data):
         at = f"{where}[{index}]"
-        if not isinstance(item, dict) or not all(isinstance(item.get(k), str) for k in ("id", "type")):
+        if not isinstance(item, dict) or not all(
+            isinstance(item.get(k), str) for k in ("id", "type")
+        ):
             problems.append(f"{at}: must be an object with an id and a type (got {item!r})")
             continue
         if item["id"] in nodes or item["id"] in (GROUP_INPUT, GROUP_OUTPUT):
@@ -109,7 +111,11 @@ def _parse_links(
     links = []
     for index, item in enumerate(data):
         at = f"{where}[{index}]"
-        if not isinstance(item, list) or len(item) != 2 or not all(isinstance(e, str) for e in item):
+        if (
+            not isinstance(item, list)
+            or len(item) != 2
+            or not all(isinstance(e, str) for e in item)
+        ):
             problems.append(f"{at}: must be a pair of node.socket (got {item!r})")
             continue
         source, target = (Endpoint.parse(end) for end in item)

@@ -17,7 +17,15 @@ SCHEMA = 1
 KINDS = ("film", "grating", "glass")
 FORMS = ("osl", "nodes")
 SOCKET_TYPES = ("float", "int", "color", "normal")
-_TEXT_FIELDS = ("id", "name", "category", "description", "source", "template_sha256", "tool_version")
+_TEXT_FIELDS = (
+    "id",
+    "name",
+    "category",
+    "description",
+    "source",
+    "template_sha256",
+    "tool_version",
+)
 
 
 class ManifestError(Exception):
@@ -80,7 +88,9 @@ def load_folder(directory: Path) -> CompiledMaterial:
     """
     manifests = sorted(directory.glob("*.json")) if directory.is_dir() else []
     if len(manifests) != 1:
-        raise ManifestError(f"{directory}: must be a folder with one manifest (got {len(manifests)})")
+        raise ManifestError(
+            f"{directory}: must be a folder with one manifest (got {len(manifests)})"
+        )
     path = manifests[0]
     data = read_manifest(path)
     shader = path.with_suffix(".osl")
@@ -133,7 +143,9 @@ def _require_header(data: Any, where: str) -> None:
         if not isinstance(data.get(name), str)
     ]
     if data.get("kind") not in KINDS:
-        problems.append(f"{where}: kind: must be one of {', '.join(KINDS)} (got {data.get('kind')!r})")
+        problems.append(
+            f"{where}: kind: must be one of {', '.join(KINDS)} (got {data.get('kind')!r})"
+        )
     problems += [
         f"{where}: {name}: must be a list of objects (got {data.get(name)!r})"
         for name in ("sockets", "tables")
@@ -220,7 +232,9 @@ def _check_default(socket: Socket, at: str, problems: list[str]) -> None:
             problems.append(f"{at}.default: must be three numbers (got {socket.default!r})")
         return
     numbers = {"default": socket.default, "min": socket.minimum, "max": socket.maximum}
-    wrong = {k: v for k, v in numbers.items() if isinstance(v, bool) or not isinstance(v, (int, float))}
+    wrong = {
+        k: v for k, v in numbers.items() if isinstance(v, bool) or not isinstance(v, (int, float))
+    }
     for key, value in wrong.items():
         problems.append(f"{at}.{key}: must be a number (got {value!r})")
     if not wrong and not socket.minimum <= socket.default <= socket.maximum:
@@ -229,9 +243,7 @@ def _check_default(socket: Socket, at: str, problems: list[str]) -> None:
         )
 
 
-def _parse_tables(
-    data: list[dict[str, Any]], where: str, problems: list[str]
-) -> tuple[Table, ...]:
+def _parse_tables(data: list[dict[str, Any]], where: str, problems: list[str]) -> tuple[Table, ...]:
     tables = []
     for index, item in enumerate(data):
         at = f"{where}[{index}]"

@@ -41,7 +41,9 @@ def find_problems(material: AssignedMaterial, scene: SceneState) -> list[Problem
     problems = []
     if scene.missing_tables:
         names = ", ".join(scene.missing_tables)
-        problems.append(Problem(f"Table missing: {names}", "nacre.rebuild_material", "Rebuild Material"))
+        problems.append(
+            Problem(f"Table missing: {names}", "nacre.rebuild_material", "Rebuild Material")
+        )
     if material.form == OSL:
         problems += _osl_problems(scene)
         if material.wavelength_per_path:
@@ -59,11 +61,15 @@ def _osl_problems(scene: SceneState) -> list[Problem]:
         )
     if scene.gpu_without_osl:
         problems.append(
-            Problem("This GPU cannot run Open Shading Language", "nacre.use_cpu", "Render on the CPU")
+            Problem(
+                "This GPU cannot run Open Shading Language", "nacre.use_cpu", "Render on the CPU"
+            )
         )
     if not scene.osl_on:
         problems.append(
-            Problem("Open Shading Language is off", "nacre.use_osl", "Turn On Open Shading Language")
+            Problem(
+                "Open Shading Language is off", "nacre.use_osl", "Turn On Open Shading Language"
+            )
         )
     return problems
 

@@ -16,7 +16,9 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     for image in bpy.data.images:
         if image.get(DIGEST) == _key(material, table) and not is_missing(image):
             return image
-    image = _from_texels(material, table) if material.directory is None else _from_file(material, table)
+    image = (
+        _from_texels(material, table) if material.directory is None else _from_file(material, table)
+    )
     image.colorspace_settings.name = "Non-Color"
     image.alpha_mode = "NONE"
     image.pack()

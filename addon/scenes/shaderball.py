@@ -19,7 +19,11 @@ def build(scene: bpy.types.Scene) -> Stage:
     backdrop(scene, (0.05, 0.053, 0.06), roughness=0.4)
     area_lamp(scene, (-3.8, -2.6, 4.6), (0.0, 0.0, 1.1), size=(2.4, 3.2), watts=520.0)
     area_lamp(
-        scene, (4.2, -1.0, 2.6), (0.0, 0.0, 1.1), size=(0.7, 3.6), watts=220.0,
+        scene,
+        (4.2, -1.0, 2.6),
+        (0.0, 0.0, 1.1),
+        size=(0.7, 3.6),
+        watts=220.0,
         colour=(1.0, 0.87, 0.72),
     )
     area_lamp(scene, (0.5, 3.9, 5.2), (0.0, 1.2, 0.4), size=(5.0, 1.2), watts=320.0)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 
@@ -48,11 +49,15 @@ def lathe(
             angle = math.tau * step / segments
             vertices.append((radius * math.cos(angle), radius * math.sin(angle), z))
     faces = []
-    for lower, upper in zip(rings, rings[1:], strict=False):
+    for lower, upper in itertools.pairwise(rings):
         for i in range(segments):
             j = (i + 1) % segments
-            corners = (lower[i % len(lower)], lower[j % len(lower)],
-                       upper[j % len(upper)], upper[i % len(upper)])
+            corners = (
+                lower[i % len(lower)],
+                lower[j % len(lower)],
+                upper[j % len(upper)],
+                upper[i % len(upper)],
+            )
             faces.append(tuple(dict.fromkeys(corners)))
     return mesh(scene, name, vertices, faces, smooth=smooth)
 

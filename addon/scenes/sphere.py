@@ -16,7 +16,11 @@ def build(scene: bpy.types.Scene) -> Stage:
     backdrop(scene, (0.055, 0.058, 0.065), roughness=0.35)
     area_lamp(scene, (-3.6, -2.2, 4.2), (0.0, 0.0, 1.0), size=(2.2, 3.0), watts=420.0)
     area_lamp(
-        scene, (4.0, -0.5, 2.4), (0.0, 0.0, 1.0), size=(0.6, 3.4), watts=170.0,
+        scene,
+        (4.0, -0.5, 2.4),
+        (0.0, 0.0, 1.0),
+        size=(0.6, 3.4),
+        watts=170.0,
         colour=(1.0, 0.86, 0.7),
     )
     area_lamp(scene, (0.0, 3.8, 5.0), (0.0, 1.5, 0.0), size=(5.0, 1.0), watts=260.0)

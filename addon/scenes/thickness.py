@@ -26,7 +26,9 @@ def vary(
     if socket is None:
         return
     tree = material.node_tree
-    factor = _add(tree, _scaled(tree, _depth(tree), height, base), _swirl(tree, swirl, scale, stretch))
+    factor = _add(
+        tree, _scaled(tree, _depth(tree), height, base), _swirl(tree, swirl, scale, stretch)
+    )
     product = tree.nodes.new("ShaderNodeMath")
     product.operation = "MULTIPLY"
     product.inputs[1].default_value = socket.default_value

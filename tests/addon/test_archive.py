@@ -63,7 +63,8 @@ def test_archive_without_materials_is_refused(blender45, tmp_path):
         [sys.executable, STAGE, "--blender-ext", "unused", "--materials", tmp_path, "-o", tmp_path / "x.zip"],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
-    assert done.returncode == 1 and "holds no compiled materials" in done.stderr
+    assert done.returncode == 1
+    assert "holds no compiled materials" in done.stderr
     assert not (tmp_path / "x.zip").exists()
 
 
