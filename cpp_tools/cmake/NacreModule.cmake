@@ -5,8 +5,10 @@
 add_library(nacre_flags INTERFACE)
 target_compile_features(nacre_flags INTERFACE cxx_std_20)
 # -ffp-contract=off keeps results equal on machines with and without fused multiply-add.
+# GCC 12 warns about std::string's own memcpy: https://gcc.gnu.org/bugzilla/show_bug.cgi?id=105329
 target_compile_options(nacre_flags INTERFACE
     -Wall -Wextra -Wpedantic -Wconversion -Wshadow -ffp-contract=off
+    $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
     $<$<BOOL:${NACRE_WARNINGS_AS_ERRORS}>:-Werror>)
 
 # The only arrows that exist between modules; nacre_module() refuses every other one.
