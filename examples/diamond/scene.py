@@ -63,7 +63,7 @@ def brilliant(name: str) -> bpy.types.Object:
 
 
 def main() -> None:
-    new_scene("interior", strength=0.25, turn_deg=120.0, exposure=0.8)
+    new_scene("interior", strength=0.3, turn_deg=120.0, exposure=1.2)
     backdrop((0.012, 0.012, 0.016), roughness=0.3)
     for x, y, z, tilt, turn, scale in (
         (0.0, 0.0, 0.86, 0.0, 10.0, 1.0),
@@ -75,15 +75,15 @@ def main() -> None:
         obj.rotation_euler = (math.radians(tilt), 0.0, math.radians(turn))
         obj.scale = (scale, scale, scale)
         wave_material(obj, "diamond")
-    for index in range(7):
-        angle = math.tau * index / 7
+    for index in range(13):
+        angle = math.tau * index / 13
         lamp(
             (3.2 * math.cos(angle), 3.2 * math.sin(angle), 3.6 + 0.5 * (index % 3)),
             (0.0, 0.0, 0.6),
-            size=0.22,
-            watts=70.0,
+            size=0.16,
+            watts=90.0,
         )
-    camera((0.0, -6.2, 4.6), (-0.05, 0.1, 0.55), lens_mm=50.0)
+    camera((0.0, -5.4, 5.4), (-0.05, 0.1, 0.55), lens_mm=50.0)
     save(sys.argv[1])
 
 
