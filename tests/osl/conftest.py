@@ -55,6 +55,7 @@ class Blender:
         result.unlink(missing_ok=True)
         process = subprocess.run(
             [self.python, str(Path(__file__).with_name("worker.py")), str(job), str(result)],
+            check=False,
             capture_output=True,
             text=True,
             timeout=600,

@@ -20,8 +20,10 @@ def test_complex_arithmetic(blender):
     a = rng.normal(size=16) + 1j * rng.normal(size=16)
     b = rng.normal(size=16) + 1j * rng.normal(size=16)
     body = (
-        osl_array("ar", a.real) + osl_array("ai", a.imag)
-        + osl_array("br", b.real) + osl_array("bi", b.imag)
+        osl_array("ar", a.real)
+        + osl_array("ai", a.imag)
+        + osl_array("br", b.real)
+        + osl_array("bi", b.imag)
         + """
     nacre_complex a = { ar[i % 16], ai[i % 16] };
     nacre_complex b = { br[i % 16], bi[i % 16] };
@@ -55,7 +57,11 @@ def test_root_takes_the_branch_that_carries_power(blender):
 
 
 INTERFACES = [
-    (1.0, 1.5 + 0j), (1.5, 1.0 + 0j), (1.0, 0.1 + 3.0j), (1.33, 2.9 + 3.1j), (1.0, 1.0 + 0j),
+    (1.0, 1.5 + 0j),
+    (1.5, 1.0 + 0j),
+    (1.0, 0.1 + 3.0j),
+    (1.33, 2.9 + 3.1j),
+    (1.0, 1.0 + 0j),
 ]
 COSINES = [1.0, 0.9, 0.55, 0.2, 0.01]
 
@@ -82,8 +88,12 @@ def test_reflectance_of_an_interface(blender):
 
 FILMS = [
     # film, substrate, nm
-    (1.33, 1.0, 400.0), (2.45, 1.5, 55.0), (2.4 + 0.3j, 2.9 + 3.1j, 40.0),
-    (1.38, 1.52, 99.6), (1.46, 0.05 + 4.0j, 1800.0), (1.5 + 2.0j, 1.0, 5e4),
+    (1.33, 1.0, 400.0),
+    (2.45, 1.5, 55.0),
+    (2.4 + 0.3j, 2.9 + 3.1j, 40.0),
+    (1.38, 1.52, 99.6),
+    (1.46, 0.05 + 4.0j, 1800.0),
+    (1.5 + 2.0j, 1.0, 5e4),
 ]
 
 
@@ -115,7 +125,7 @@ def test_film_reflectance(blender):
 
 def sellmeier(b, c, nm):
     l2 = (np.asarray(nm) * 1e-3) ** 2
-    return np.sqrt(1.0 + sum(bi * l2 / (l2 - ci) for bi, ci in zip(b, c)))
+    return np.sqrt(1.0 + sum(bi * l2 / (l2 - ci) for bi, ci in zip(b, c, strict=True)))
 
 
 # SCHOTT data sheet N-BK7; the catalogue prints n_F 1.52238, n_d 1.51680, n_C 1.51432.
@@ -128,7 +138,9 @@ LINES = [486.1327, 587.5618, 656.2725]
 
 def test_sellmeier_gives_the_catalogue_indices(blender):
     body = (
-        osl_array("b", BK7[0]) + osl_array("c", BK7[1]) + osl_array("nm", LINES)
+        osl_array("b", BK7[0])
+        + osl_array("c", BK7[1])
+        + osl_array("nm", LINES)
         + "value = nacre_sellmeier(b, c, nm[i]);"
     )
     got = blender.values(["nacre_dispersion.h"], body, 3)[:, 0]
@@ -151,7 +163,7 @@ def test_abbe_curve_has_its_abbe_number(blender):
     body = osl_array("nm", LINES) + (
         "value = nacre_cauchy(0.0, nacre_abbe_slope(1.6, 30.0), 0.0, nm[i]);"
     )
-    blue, yellow, red = blender.values(["nacre_dispersion.h"], body, 3)[:, 0]
+    blue, _, red = blender.values(["nacre_dispersion.h"], body, 3)[:, 0]
     assert 0.6 / (blue - red) == pytest.approx(30.0, rel=1e-5)
 
 
@@ -222,7 +234,10 @@ def test_wavelength_of_a_path(blender):
     value = color(drawn.nm, drawn.weight[0], drawn.weight[2]);"""
     got = blender.values(["nacre_wavelength.h"], body, 5)
     expected = [
-        [400.0, -0.5, 2.0], [450.0, -0.5, 2.0], [500.0, 2.5, 0.0], [600.0, 2.5, 0.0],
+        [400.0, -0.5, 2.0],
+        [450.0, -0.5, 2.0],
+        [500.0, 2.5, 0.0],
+        [600.0, 2.5, 0.0],
         [699.96, 2.5, 0.0],
     ]
     np.testing.assert_allclose(got, expected, rtol=1e-6)

@@ -11,7 +11,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-
 from conftest import ROOT, SHADERS, inline
 
 colour = pytest.importorskip("colour")
@@ -77,8 +76,14 @@ def test_film_has_the_colour_of_its_spectrum(blender, n_1, n_2, thickness_nm, ti
         "wavelengths": 235,
     }
     image = blender.render(
-        osl=shader("nacre_thin_film"), object="disc", width=4, height=4, samples=1, span=0.5,
-        tilt=tilt, values=values,
+        osl=shader("nacre_thin_film"),
+        object="disc",
+        width=4,
+        height=4,
+        samples=1,
+        span=0.5,
+        tilt=tilt,
+        values=values,
     )
     expected = film_colour(n_1, n_2, thickness_nm, math.cos(tilt))
     np.testing.assert_allclose(image[2, 2], expected, atol=4e-4)
@@ -99,8 +104,14 @@ def test_multilayer_reads_its_tables(blender):
         "table_origin_top": blender.table_origin_top,
     }
     image = blender.render(
-        osl=shader("nacre_multilayer"), object="disc", width=4, height=4, samples=4, span=0.5,
-        tilt=math.acos(0.6), values=values,
+        osl=shader("nacre_multilayer"),
+        object="disc",
+        width=4,
+        height=4,
+        samples=4,
+        span=0.5,
+        tilt=math.acos(0.6),
+        values=values,
     )
     np.testing.assert_allclose(image[2, 2], [0.6, 0.75, 0.0], atol=2e-3)
 
@@ -127,7 +138,11 @@ def assert_white(image: np.ndarray) -> None:
 def test_white_world_stays_white_through_glass(blender, glass):
     n_d, v_d, samples = GLASSES[glass]
     image = blender.render(
-        osl=shader("nacre_glass"), object="sphere", width=64, height=64, samples=samples,
+        osl=shader("nacre_glass"),
+        object="sphere",
+        width=64,
+        height=64,
+        samples=samples,
         values={"n_d": n_d, "v_d": v_d},
     )
     assert_white(image)
@@ -136,8 +151,13 @@ def test_white_world_stays_white_through_glass(blender, glass):
 def test_weight_is_applied_once_through_two_objects(blender):
     """A second ball behind the first: weighting at each entry would square the weight."""
     image = blender.render(
-        osl=shader("nacre_glass"), object="sphere", width=64, height=64, samples=256,
-        offsets=[[0, 0, 0], [0, 0, -2.2]], values={"n_d": 1.7847, "v_d": 25.7},
+        osl=shader("nacre_glass"),
+        object="sphere",
+        width=64,
+        height=64,
+        samples=256,
+        offsets=[[0, 0, 0], [0, 0, -2.2]],
+        values={"n_d": 1.7847, "v_d": 25.7},
     )
     assert_white(image)
 
@@ -145,15 +165,26 @@ def test_weight_is_applied_once_through_two_objects(blender):
 def test_weight_is_applied_once_after_a_reflection(blender):
     """Paths that a ball throws at its neighbour enter that one first, and not with both weights."""
     image = blender.render(
-        osl=shader("nacre_glass"), object="sphere", width=64, height=64, samples=256, span=3.0,
-        offsets=[[-0.6, 0, 0], [0.6, 0, 0]], radius=0.55, values={"n_d": 2.4175, "v_d": 55.3},
+        osl=shader("nacre_glass"),
+        object="sphere",
+        width=64,
+        height=64,
+        samples=256,
+        span=3.0,
+        offsets=[[-0.6, 0, 0], [0.6, 0, 0]],
+        radius=0.55,
+        values={"n_d": 2.4175, "v_d": 55.3},
     )
     assert_white(image)
 
 
 def test_no_dispersion_means_no_colour_noise(blender):
     image = blender.render(
-        osl=shader("nacre_glass"), object="sphere", width=32, height=32, samples=16,
+        osl=shader("nacre_glass"),
+        object="sphere",
+        width=32,
+        height=32,
+        samples=16,
         values={"dispersion": 0.0},
     )
     np.testing.assert_array_equal(image[..., 0], image[..., 1])
@@ -170,7 +201,12 @@ def test_streak_lies_where_the_grating_equation_puts_it(blender, polar, azimuth)
     """Seen from above, order m = ±1 sends sin(polar) = wavelength / pitch to the eye, and from those
     tracks only that run across the plane of incidence."""
     image = blender.render(
-        osl=shader("nacre_disc"), object="disc", width=96, height=96, samples=32, world=0.0,
+        osl=shader("nacre_disc"),
+        object="disc",
+        width=96,
+        height=96,
+        samples=32,
+        world=0.0,
         lamps=[{"energy": 3.0, "angle": 0.02, "polar": polar, "azimuth": azimuth}],
         values={"roughness": 0.08},
     )
@@ -189,7 +225,12 @@ def test_streak_lies_where_the_grating_equation_puts_it(blender, polar, azimuth)
 def test_disc_loses_no_light(blender):
     """All orders of a white metal under a white world add up to white."""
     image = blender.render(
-        osl=shader("nacre_disc"), object="disc", width=64, height=64, samples=256, span=1.0,
+        osl=shader("nacre_disc"),
+        object="disc",
+        width=64,
+        height=64,
+        samples=256,
+        span=1.0,
         values={"tint": [1, 1, 1], "roughness": 0.0, "orders": 9},
     )
     np.testing.assert_allclose(image.mean(axis=(0, 1)), 1.0, atol=5e-3)

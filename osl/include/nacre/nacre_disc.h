@@ -32,12 +32,12 @@ nacre_grating nacre_disc_grating(nacre_disc_tracks disc, vector lateral, float w
 {
     float inside = sqrt(1.0 - dot(lateral, lateral) / (disc.cover_index * disc.cover_index));
     float path_nm = 2.0 * disc.cover_index * disc.depth_nm * inside;
-    nacre_grating grating = { disc.profile, M_2PI * path_nm / wavelength_nm, disc.duty };
+    nacre_grating grating = {disc.profile, M_2PI * path_nm / wavelength_nm, disc.duty};
     return grating;
 }
 
-// The mirror image needs no wavelength of its own: its colour is the weighted mean over all of them.
-// The share of order zero is smooth, so four cells of the path's wavelength make one step.
+// The mirror image needs no wavelength of its own: its colour is the weighted mean over all of
+// them. The share of order zero is smooth, so four cells of the path's wavelength make one step.
 color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, float edges[],
                         color weight[])
 {
@@ -46,8 +46,8 @@ color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, f
     for (int i = 0; i + 4 <= cells; i += 4) {
         float nm = edges[i + 2];
         nacre_grating grating = nacre_disc_grating(disc, lateral, nm);
-        float share = nacre_efficiency(grating, 0)
-                      / nacre_propagating_share(grating, lateral, across, nm / disc.pitch_nm);
+        float share = nacre_efficiency(grating, 0) /
+                      nacre_propagating_share(grating, lateral, across, nm / disc.pitch_nm);
         color step = weight[i] + weight[i + 1] + weight[i + 2] + weight[i + 3];
         sum += step * (1.0 + disc.strength * (share - 1.0));
     }
@@ -55,8 +55,8 @@ color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, f
 }
 
 // Every order is a mirror lobe around the normal that sends the path where the grating equation
-// wants it; `I` points to the viewer in Cycles. Sums run to the right, as `lobe + sum`: a long sum the
-// other way loses lobes.
+// wants it; `I` points to the viewer in Cycles. Sums run to the right, as `lobe + sum`: a long sum
+// the other way loses lobes.
 closure color nacre_disc_lobes(nacre_disc_tracks disc, normal n, float roughness, color tint,
                                float edges[], color weight[])
 {
@@ -72,8 +72,7 @@ closure color nacre_disc_lobes(nacre_disc_tracks disc, normal n, float roughness
     for (int m = -disc.orders; m <= disc.orders; m++) {
         vector out = nacre_order_direction(lateral, across, ratio, m);
         float lateral_squared = dot(out, out);
-        if (m == 0 || lateral_squared >= 1.0)
-            continue;
+        if (m == 0 || lateral_squared >= 1.0) continue;
         normal tilted = normalize(out + n * sqrt(1.0 - lateral_squared) + I);
         color order_tint = path.weight * tint * (scale * nacre_efficiency(grating, m));
         sum = nacre_reflection(tilted, order_tint, roughness) + sum;

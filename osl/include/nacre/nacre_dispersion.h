@@ -9,8 +9,7 @@ float nacre_sellmeier(float b[], float c[], float wavelength_nm)
 {
     float l2 = wavelength_nm * wavelength_nm * 1e-6;
     float n2 = 1.0;
-    for (int i = 0; i < arraylength(b); i++)
-        n2 += b[i] * l2 / (l2 - c[i]);
+    for (int i = 0; i < arraylength(b); i++) n2 += b[i] * l2 / (l2 - c[i]);
     return sqrt(n2);
 }
 
@@ -27,10 +26,10 @@ float nacre_index(float knots[], float first_nm, float step_nm, float wavelength
     float x = (wavelength_nm - first_nm) / step_nm;
     int i = clamp((int)floor(x) - 1, 0, arraylength(knots) - 4);
     float t = x - i;
-    return ((1.0 - t) * (t - 2.0) * (t - 3.0) * knots[i] * (1.0 / 6.0))
-           + (t * (t - 2.0) * (t - 3.0) * knots[i + 1] * 0.5)
-           + (t * (1.0 - t) * (t - 3.0) * knots[i + 2] * 0.5)
-           + (t * (t - 1.0) * (t - 2.0) * knots[i + 3] * (1.0 / 6.0));
+    return ((1.0 - t) * (t - 2.0) * (t - 3.0) * knots[i] * (1.0 / 6.0)) +
+           (t * (t - 2.0) * (t - 3.0) * knots[i + 1] * 0.5) +
+           (t * (1.0 - t) * (t - 3.0) * knots[i + 2] * 0.5) +
+           (t * (t - 1.0) * (t - 2.0) * knots[i + 3] * (1.0 / 6.0));
 }
 
 // Spectral lines d, F and C of helium and hydrogen, which define n_d and the Abbe number.
@@ -41,7 +40,7 @@ float nacre_index(float knots[], float first_nm, float step_nm, float wavelength
 // b of n = a + b / l^2 (um^2) for an Abbe number v_d = (n_d - 1) / (n_F - n_C).
 float nacre_abbe_slope(float n_d, float v_d)
 {
-    float spread = 1e6 / (NACRE_LINE_F_NM * NACRE_LINE_F_NM)
-                   - 1e6 / (NACRE_LINE_C_NM * NACRE_LINE_C_NM);
+    float spread =
+        1e6 / (NACRE_LINE_F_NM * NACRE_LINE_F_NM) - 1e6 / (NACRE_LINE_C_NM * NACRE_LINE_C_NM);
     return (n_d - 1.0) / (v_d * spread);
 }

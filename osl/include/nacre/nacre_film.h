@@ -24,7 +24,7 @@ float nacre_film_reflectance(float n_0, nacre_complex n_1, nacre_complex n_2, fl
     nacre_complex q_2 = nacre_forward_q(n_2, tangential);
     nacre_complex e = nacre_exp_i(nacre_real(2.0 * M_2PI * thickness_nm / wavelength_nm) * q_1);
     nacre_complex s = nacre_airy(nacre_r_s(q_0, q_1), nacre_r_s(q_1, q_2), e);
-    nacre_complex p = nacre_airy(nacre_r_p(ambient, q_0, n_1, q_1),
-                                 nacre_r_p(n_1, q_1, n_2, q_2), e);
+    nacre_complex p =
+        nacre_airy(nacre_r_p(ambient, q_0, n_1, q_1), nacre_r_p(n_1, q_1, n_2, q_2), e);
     return 0.5 * (nacre_norm(s) + nacre_norm(p));
 }

@@ -34,6 +34,5 @@ float nacre_reflectance(float n_i, nacre_complex n_t, float cos_i)
     nacre_complex ambient = nacre_real(n_i);
     nacre_complex q_i = nacre_real(n_i * cos_i);
     nacre_complex q_t = nacre_forward_q(n_t, tangential);
-    return 0.5 * (nacre_norm(nacre_r_s(q_i, q_t))
-                  + nacre_norm(nacre_r_p(ambient, q_i, n_t, q_t)));
+    return 0.5 * (nacre_norm(nacre_r_s(q_i, q_t)) + nacre_norm(nacre_r_p(ambient, q_i, n_t, q_t)));
 }

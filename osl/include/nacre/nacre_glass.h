@@ -2,17 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nacre/nacre_wavelength.h"
 #include "nacre/nacre_fresnel.h"
+#include "nacre/nacre_wavelength.h"
 
 // Smooth or rough dispersive glass with one wavelength per path.
 //
 // The weight of the wavelength multiplies what enters the first transmitting object of a path, and
 // nothing else: transmission_depth counts every refraction so far, so leaving the glass, inner
-// reflections and further objects find it above 0. What the first surface reflects carries no weight
-// and so no colour noise, but its reflectance F(n(wavelength)) then averages without the weight, while
-// 1 - F averages with it. F(index_rgb) / F(n) as its tint puts the weighted mean there: index_rgb
-// is the weighted mean of n, and F is linear in n to about 1e-5 over the spread of a glass.
+// reflections and further objects find it above 0. What the first surface reflects carries no
+// weight and so no colour noise, but its reflectance F(n(wavelength)) then averages without the
+// weight, while 1 - F averages with it. F(index_rgb) / F(n) as its tint puts the weighted mean
+// there: index_rgb is the weighted mean of n, and F is linear in n to about 1e-5 over the spread of
+// a glass.
 closure color nacre_glass_lobe(normal n, float roughness, float index, color index_rgb,
                                color weight)
 {

@@ -59,8 +59,7 @@ float nacre_propagating_share(nacre_grating grating, vector lateral, vector acro
     int last = (int)floor((1.0 + length(lateral)) / ratio);
     for (int m = -last; m <= last; m++) {
         vector out = nacre_order_direction(lateral, across, ratio, m);
-        if (dot(out, out) < 1.0)
-            share += nacre_efficiency(grating, m);
+        if (dot(out, out) < 1.0) share += nacre_efficiency(grating, m);
     }
     return share;
 }

@@ -25,6 +25,6 @@ nacre_wavelength nacre_draw_wavelength(float edges[], color weight[], float u)
 {
     int cells = arraylength(weight);
     int i = min((int)(u * cells), cells - 1);
-    nacre_wavelength drawn = { mix(edges[i], edges[i + 1], u * cells - i), weight[i] };
+    nacre_wavelength drawn = {mix(edges[i], edges[i + 1], u * cells - i), weight[i]};
     return drawn;
 }

@@ -41,9 +41,9 @@ struct FilmTableRequest {
     SampledStack stack;
     std::optional<Variation> variation;  ///< none: one row
     spectral::ColourWeights weights;
-    double tolerance = 0.1;  ///< ΔE00 between texels; decides the size
-    int max_texels = 4096;   ///< per axis
-    bool transmittance = false;  ///< also bake T
+    double tolerance = 0.1;                  ///< ΔE00 between texels; decides the size
+    int max_texels = 4096;                   ///< per axis
+    bool transmittance = false;              ///< also bake T
     std::optional<std::array<int, 2>> size;  ///< width, height; overrides the tolerance
     /// Called with 0…1 while baking, from one thread at a time; returning false cancels.
     std::function<bool(double)> progress;

@@ -19,12 +19,13 @@ struct Axis {
 
 /// A baked two-dimensional table, row-major; row 0 (the top row of the image) holds `y.min`.
 struct Table {
-    std::string name;      ///< `R`, `T`, `R_bare`, …: the file is `<id>_<name>.exr`
-    std::string quantity;  ///< `reflectance`, `transmittance`
-    Axis x, y;             ///< y.texels is 1 where nothing but the angle varies
+    std::string name;                   ///< `R`, `T`, `R_bare`, …: the file is `<id>_<name>.exr`
+    std::string quantity;               ///< `reflectance`, `transmittance`
+    Axis x, y;                          ///< y.texels is 1 where nothing but the angle varies
     std::vector<std::string> channels;  ///< `R`, `G`, `B`
     std::vector<float> texels;          ///< y.texels * x.texels * channels.size()
-    /// ΔE00 between texels against the exact value for angles up to 87° (cosθ ≥ 0.05): largest probe.
+    /// ΔE00 between texels against the exact value for angles up to 87° (cosθ ≥ 0.05): largest
+    /// probe.
     double error_max = 0.0;
     double error_mean = 0.0;  ///< the same, mean over the probes
 };
