@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <charconv>
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "bake.h"
+#include "nacre/core/diagnostics.h"
+#include "nacre/pipeline/compile.h"
+#include "output.h"
+#include "session.h"
+#include "stack_input.h"
+#include "table_error.h"
+#include "table_image.h"
+#include "table_options.h"
+
+namespace nacre::tool {
+namespace {
+
+struct StackOptions {
+    std::string input, output, depth, size, quantity = "reflectance";
+    TableOptions table;
+};
+
+constexpr const char* kHelp = R"(
+INPUT is a film template (.toml), or the JSON of one (.json; - is the standard input):
+  {"ambient": {"medium": "air"},
+   "layer": [{"n": 1.33, "thickness_nm": {"default": 400, "min": 0, "max": 1500, "varies": true}}],
+   "substrate": {"medium": "air"}}
+with the keys of a template; "schema" and "material" may be left out. Media are library keys
+("medium"), n and k, cauchy, sellmeier or abbe.
+
+The table runs over cosθ (left 0, right 1) and, from the top row down, what varies. The centres of the
+edge texels hold the ends of the axes. Axes, stack, light, observer, space and the measured error are
+attributes of the file: see nacre info.
+
+  nacre bake stack osl/templates/soap_film.toml -o soap_film.exr
+  nacre bake stack osl/templates/soap_film.toml --quantity transmittance --depth half -o soap_T.exr
+  nacre bake stack stack.json --tolerance 0.05 --space lin_ap1_scene -o stack.tx)";
+
+std::optional<std::array<int, 2>> parse_size(const std::string& text, int most)
+{
+    if (text.empty()) return std::nullopt;
+    std::array<int, 2> size{};
+    const char* end = text.data() + text.size();
+    const auto width = std::from_chars(text.data(), end, size[0]);
+    const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
+    const auto height = separated ? std::from_chars(width.ptr + 1, end, size[1]) : width;
+    if (!separated || height.ec != std::errc{} || height.ptr != end || size[0] < 2 || size[1] < 1 ||
+        size[0] > most || size[1] > most)
+        throw InputError(
+            {"", 0, "--size",
+             fmt::format("must be WIDTHxHEIGHT, 2x1 … {0}x{0} (got {1})", most, text)});
+    return size;
+}
+
+lut::Table take_quantity(lut::FilmTables tables, const std::string& quantity)
+{
+    return quantity == "transmittance" ? std::move(*tables.transmittance)
+                                       : std::move(tables.reflectance);
+}
+
+int bake(const Session& session, const StackOptions& options)
+{
+    const Encoding encoding = encoding_for(options.output, options.depth);
+    if (encoding.container == Container::png)
+        throw InputError(
+            {options.output, 0, "-o", "must end in .exr or .tx: a table needs floats"});
+    const material::MaterialTemplate source = read_template_input(options.input);
+    if (!std::holds_alternative<material::StackSpec>(source.kind))
+        throw InputError(
+            {options.input, 0, "", "must be a film: gratings and glasses have no table"});
+
+    const ResolvedTableOptions resolved = resolve(options.table);
+    lut::FilmTableRequest request = pipeline::film_request(source, resolved.compile);
+    request.size = parse_size(options.size, request.max_texels);
+    request.transmittance = options.quantity == "transmittance";
+    check_writable(options.output);
+    Progress progress(session);
+    request.progress = [&progress](double fraction) {
+        progress.show(fraction);
+        return true;
+    };
+    lut::Table table = take_quantity(lut::bake_film_tables(request), options.quantity);
+    if (encoding.depth == Depth::half) {
+        round_to_half(table.texels);
+        measure_error(table, request, resolved.provenance.space);
+    }
+    TableProvenance provenance = resolved.provenance;
+    provenance.stack = stack_json(source);
+    write_text_output(options.output, encode_image(table_image(table),
+                                                   table_attributes(table, provenance), encoding));
+    session.detail(fmt::format("{}: {} x {} texels, ΔE00 max {:.3g}, mean {:.3g}", options.output,
+                               table.x.texels, table.y.texels, table.error_max, table.error_mean));
+    return kExitOk;
+}
+
+}  // namespace
+
+void add_bake_stack(CLI::App& bake_command, Session& session)
+{
+    const auto options = std::make_shared<StackOptions>();
+    CLI::App* stack =
+        bake_command.add_subcommand("stack", "colour of a film over angle and thickness");
+    stack->fallthrough()->footer(kHelp);
+    stack->add_option("INPUT", options->input, "template (.toml) or stack (.json, -)")->required();
+    stack->add_option("-o,--output", options->output, ".exr or .tx")->required();
+    stack->add_option("--quantity", options->quantity)
+        ->check(CLI::IsMember({"reflectance", "transmittance"}))
+        ->capture_default_str();
+    stack->add_option("--size", options->size, "WIDTHxHEIGHT in texels, instead of --tolerance");
+    stack->add_option("--depth", options->depth, "default: float")
+        ->check(CLI::IsMember({"float", "half"}));
+    add_table_options(*stack, options->table);
+    stack->callback([&session, options] {
+        session.run = [&session, options] { return bake(session, *options); };
+    });
+}
+
+}  // namespace nacre::tool

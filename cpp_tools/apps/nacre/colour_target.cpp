@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "colour_target.h"
+
+#include <cmath>
+#include <vector>
+
+#include <OpenColorIO/OpenColorIO.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/core/file_io.h"
+
+namespace OCIO = OCIO_NAMESPACE;
+
+namespace nacre::tool {
+namespace {
+
+using spectral::Mat3;
+using spectral::Vec3;
+
+/// Through this role all configs agree on what XYZ is.
+constexpr const char* kInterchangeRole = "cie_xyz_d65_interchange";
+
+double determinant(const Mat3& m)
+{
+    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+}
+
+/// By cofactors; the indices wrap round, which gives each cofactor its sign.
+Mat3 inverse(const Mat3& m)
+{
+    const double det = determinant(m);
+    Mat3 result{};
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column) {
+            const std::size_t i = (column + 1) % 3, j = (column + 2) % 3;
+            const std::size_t k = (row + 1) % 3, l = (row + 2) % 3;
+            result[row][column] = (m[i][k] * m[j][l] - m[i][l] * m[j][k]) / det;
+        }
+    return result;
+}
+
+std::array<double, 8> chromaticities(const Mat3& to_xyz)
+{
+    std::array<double, 8> xy{};
+    const auto set = [&xy](std::size_t at, const Vec3& xyz) {
+        const double sum = xyz[0] + xyz[1] + xyz[2];
+        xy[at] = xyz[0] / sum;
+        xy[at + 1] = xyz[1] / sum;
+    };
+    for (std::size_t primary = 0; primary < 3; ++primary)
+        set(2 * primary, {to_xyz[0][primary], to_xyz[1][primary], to_xyz[2][primary]});
+    set(6, multiply(to_xyz, {1.0, 1.0, 1.0}));
+    return xy;
+}
+
+std::string first_line(const char* text)
+{
+    const std::string_view view = text;
+    return std::string(view.substr(0, view.find('\n')));
+}
+
+OCIO::ConstConfigRcPtr load_config(const std::string& file)
+{
+    (void)read_text(file);  // a missing file gets the message that every missing file gets
+    OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
+    try {
+        OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(file.c_str());
+        config->validate();
+        return config;
+    } catch (const OCIO::Exception& error) {
+        throw InputError({file, 0, "",
+                          fmt::format("cannot be used as a colour config by OpenColorIO {}: {}",
+                                      OCIO::GetVersion(), first_line(error.what()))});
+    }
+}
+
+/// The colour space behind a name or role.
+OCIO::ConstColorSpaceRcPtr find_space(const OCIO::ConstConfigRcPtr& config, const std::string& file,
+                                      const std::string& name)
+{
+    const OCIO::ConstColorSpaceRcPtr space = config->getColorSpace(name.c_str());
+    if (!space) {
+        std::vector<std::string> names;
+        for (int i = 0; i < config->getNumColorSpaces(); ++i)
+            names.emplace_back(config->getColorSpaceNameByIndex(i));
+        for (int i = 0; i < config->getNumRoles(); ++i) names.emplace_back(config->getRoleName(i));
+        throw InputError({file, 0, "--space",
+                          fmt::format("must be a space or role of the config: {} (got {})",
+                                      fmt::join(names, ", "), name)});
+    }
+    if (space->isData())
+        throw InputError(
+            {file, 0, "--space", fmt::format("must be a space of colours; {} holds data", name)});
+    return space;
+}
+
+std::function<Vec3(const Vec3&)> conversion(const OCIO::ConstConfigRcPtr& config,
+                                            const std::string& file, const std::string& name)
+{
+    if (!config->hasRole(kInterchangeRole))
+        throw InputError({file, 0, "roles",
+                          fmt::format("must have {}, through which XYZ enters", kInterchangeRole)});
+    try {
+        const OCIO::ConstCPUProcessorRcPtr processor =
+            config->getProcessor(kInterchangeRole, name.c_str())
+                ->getOptimizedCPUProcessor(OCIO::OPTIMIZATION_LOSSLESS);
+        return [processor](const Vec3& xyz) {
+            float pixel[3] = {static_cast<float>(xyz[0]), static_cast<float>(xyz[1]),
+                              static_cast<float>(xyz[2])};
+            processor->applyRGB(pixel);
+            return Vec3{pixel[0], pixel[1], pixel[2]};
+        };
+    } catch (const OCIO::Exception& error) {
+        throw InputError(
+            {file, 0, "--space", fmt::format("{}: {}", name, first_line(error.what()))});
+    }
+}
+
+/// The matrix of a conversion, or nothing where it is not one: negative, dark and bright colours,
+/// which a curve would bend, come out as the matrix says.
+std::optional<Mat3> matrix_of(const std::function<Vec3(const Vec3&)>& convert)
+{
+    Mat3 matrix{};
+    for (std::size_t column = 0; column < 3; ++column) {
+        Vec3 unit{};
+        unit[column] = 1.0;
+        const Vec3 image = convert(unit);
+        for (std::size_t row = 0; row < 3; ++row) matrix[row][column] = image[row];
+    }
+    for (const Vec3& probe :
+         {Vec3{0, 0, 0}, {0.18, 0.2, 0.1}, {-0.3, 0.1, 0.4}, {40.0, 20.0, 70.0}}) {
+        const Vec3 expected = multiply(matrix, probe), actual = convert(probe);
+        const double scale = std::abs(probe[0]) + std::abs(probe[1]) + std::abs(probe[2]);
+        for (std::size_t i = 0; i < 3; ++i)
+            if (!(std::abs(actual[i] - expected[i]) <= 1e-5 * scale)) return std::nullopt;
+    }
+    return std::abs(determinant(matrix)) > 1e-9 ? std::optional(matrix) : std::nullopt;
+}
+
+ColourTarget config_target(const std::string& file, const std::string& name)
+{
+    const OCIO::ConstConfigRcPtr config = load_config(file);
+    (void)find_space(config, file, name);
+    ColourTarget target{name, conversion(config, file, name), std::nullopt, false};
+    if (const auto matrix = matrix_of(target.from_xyz_d65)) {
+        const Mat3 to_xyz = inverse(*matrix);
+        target.linear = {name, *matrix, to_xyz, chromaticities(to_xyz)};
+    }
+    return target;
+}
+
+}  // namespace
+
+Vec3 multiply(const Mat3& m, const Vec3& v) noexcept
+{
+    Vec3 result{};
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            result[row] += m[row][column] * v[column];
+    return result;
+}
+
+void add_colour_target_options(CLI::App& command, ColourTargetOptions& options)
+{
+    command
+        .add_option("--space", options.space,
+                    fmt::format("{}; with --config any space or role of it (default: "
+                                "lin_rec709_scene, with --config its role scene_linear)",
+                                fmt::join(spectral::colour_space_names(), ", ")))
+        ->type_name("NAME");
+    command.add_option("--config", options.config, "OpenColorIO config that defines --space")
+        ->type_name("FILE");
+}
+
+ColourTarget resolve_colour_target(const ColourTargetOptions& options)
+{
+    if (!options.config.empty())
+        return config_target(options.config,
+                             options.space.empty() ? "scene_linear" : options.space);
+    const spectral::ColourSpace& space =
+        spectral::colour_space(options.space.empty() ? "lin_rec709_scene" : options.space);
+    return {space.name, [&space](const Vec3& xyz) { return multiply(space.from_xyz_d65, xyz); },
+            space, true};
+}
+
+spectral::ColourSpace linear_space(const ColourTarget& target)
+{
+    if (target.linear) return *target.linear;
+    throw InputError({"", 0, "--space",
+                      fmt::format("must be scene-linear, because renderers interpolate a table's "
+                                  "texels; {} is not",
+                                  target.name)});
+}
+
+}  // namespace nacre::tool

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "nacre/spectral/colour.h"
+
+namespace CLI {
+class App;
+}
+
+/// @file
+/// The space that colours are written in: built in, or a space or role of an OpenColorIO config.
+
+namespace nacre::tool {
+
+struct ColourTargetOptions {
+    std::string config;  ///< file; empty: the built-in spaces
+    std::string space;   ///< empty: lin_rec709_scene, or the config's role `scene_linear`
+};
+
+struct ColourTarget {
+    std::string name;
+    /// From XYZ relative to D65; not a matrix where the space is not scene-linear.
+    std::function<spectral::Vec3(const spectral::Vec3& xyz_d65)> from_xyz_d65;
+    /// Absent where the space is not a matrix away from XYZ.
+    std::optional<spectral::ColourSpace> linear;
+    bool built_in = true;
+};
+
+/// m · v
+[[nodiscard]] spectral::Vec3 multiply(const spectral::Mat3& m, const spectral::Vec3& v) noexcept;
+
+void add_colour_target_options(CLI::App& command, ColourTargetOptions& options);
+
+/// @throws InputError for an unknown space, or a config that cannot be read; never falls back.
+[[nodiscard]] ColourTarget resolve_colour_target(const ColourTargetOptions& options);
+
+/// For tables, whose texels a renderer interpolates and multiplies.
+/// @throws InputError when the space is not scene-linear.
+[[nodiscard]] spectral::ColourSpace linear_space(const ColourTarget& target);
+
+}  // namespace nacre::tool

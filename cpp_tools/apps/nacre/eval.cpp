@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "eval.h"
+
+#include <cstdio>
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
+#include <CLI/CLI.hpp>
+
+#include "output.h"
+#include "session.h"
+
+namespace nacre::tool {
+namespace {
+
+struct EvalOptions {
+    std::string input = "-", output;
+    ColourTargetOptions colour;
+};
+
+constexpr const char* kStackHelp = R"(
+record  {"n": [[re, im], …], "d_nm": […], "angle_deg": 30, "wavelength_nm": 550,
+         "pol": "s|p|u", "coherence": ["i", "c", …]}
+  n              complex indices from the ambient to the substrate, n > 0, k ≥ 0, k = 0 in the ambient
+  d_nm           thickness of the 0 … 64 layers between, ≥ 0
+  angle_deg      angle of incidence in the ambient, in [0, 90)
+  pol            s, p, or u for the mean of both
+  coherence      optional: "c" or "i" a layer (default c); or, as in the tmm package, a medium,
+                 with "i" at both ends
+result  {"R": …, "T": …, "A": …, "r": [re, im], "t": [re, im]}; r and t are null for u and where a
+        layer is incoherent
+
+Bare glass reflects 4 %:
+  echo '{"n": [[1,0],[1.5,0]], "d_nm": [], "angle_deg": 0, "wavelength_nm": 550, "pol": "s"}' |
+    nacre eval stack
+A file with an array of records, in the same order out:
+  nacre eval stack stacks.json -o results.json)";
+
+constexpr const char* kSpectrumHelp = R"(
+record  {"wavelength_nm": […], "values": […], "kind": "emission|reflectance",
+         "illuminant": "D65", "observer": "cie1931|cie1964"}
+        {"illuminant": "D50"}, {"blackbody_K": 2856} or {"daylight_K": 6504}, with "observer" or not
+  wavelength_nm  ascending. To 1 nm: by Sprague where six or more stand in equal steps (CIE 167),
+                 else linearly; outside of them the nearest value counts (CIE 015:2018, 7.2.3)
+  illuminant     of a reflectance (default D65)
+  observer       default cie1931
+result  {"XYZ": […], "xy": […], "Lab": […], "rgb": […], "space": "…", "cct_K": …, "duv": …}
+        emission is normalised with k = 1/∫ȳ dλ, reflectance with k = 1/∫Sȳ dλ; illuminants, whose
+        tables are relative, to Y = 1. Lab and rgb of a reflectance are those of a perfect white
+        adapted to (100, 0, 0) and (1, 1, 1); Lab of an emission is relative to D65 with Y = 1.
+        cct_K and duv are null where a colour has no correlated colour temperature.
+
+The white point of D50:
+  echo '{"illuminant": "D50"}' | nacre eval spectrum
+In a space of an OpenColorIO config:
+  nacre eval spectrum chips.json --config config.ocio --space ACEScg)";
+
+constexpr const char* kGratingHelp = R"(
+record  {"pitch_nm": 1600, "grating_vector": [x, y, z], "normal": [x, y, z], "k_in": [x, y, z],
+         "wavelength_nm": 550, "orders": [-3, 3],
+         "profile": {"kind": "sinusoidal|rectangular|blazed", "phase_rad": 1.5, "duty": 0.5}}
+  grating_vector across the grooves; only its part in the surface counts
+  k_in           direction of the light, towards the surface; its length does not matter
+  duty           in (0, 1), of a rectangular profile (default 0.5)
+result  {"orders": [{"order": m, "direction": [x, y, z], "efficiency": …}, …]}; the direction of an
+        evanescent order is null
+
+A CD under a light from above:
+  echo '{"pitch_nm": 1600, "grating_vector": [1,0,0], "normal": [0,0,1], "k_in": [0,0,-1],
+         "wavelength_nm": 550, "orders": [-3, 3],
+         "profile": {"kind": "rectangular", "phase_rad": 1.5}}' | nacre eval grating)";
+
+std::string joined(const InputError& error)
+{
+    std::vector<std::string> texts;
+    for (const Diagnostic& diagnostic : error.diagnostics()) texts.push_back(diagnostic.text());
+    return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+/// Answers of a batch, and which of them are errors.
+struct Answers {
+    std::vector<ordered_json> records;
+    std::vector<std::unique_ptr<InputError>> errors;
+};
+
+Answers answer_all(const json& batch, const RecordEvaluator& evaluate)
+{
+    Answers answers;
+    answers.records.resize(batch.size());
+    answers.errors.resize(batch.size());
+    tbb::parallel_for(std::size_t{0}, batch.size(), [&](std::size_t i) {
+        try {
+            answers.records[i] = evaluate(batch[i]);
+        } catch (const InputError& error) {
+            answers.records[i] = {{"error", joined(error)}};
+            answers.errors[i] = std::make_unique<InputError>(error);
+        }
+    });
+    return answers;
+}
+
+std::string batch_text(const std::vector<ordered_json>& records)
+{
+    std::string text = "[";
+    for (std::size_t i = 0; i < records.size(); ++i)
+        text += (i == 0 ? "\n" : ",\n") + records[i].dump();
+    return text + "\n]\n";
+}
+
+void report(const Session& session, const std::string& file, const JsonDocument& document,
+            const Answers& answers)
+{
+    for (std::size_t i = 0; i < answers.errors.size(); ++i) {
+        if (!answers.errors[i]) continue;
+        const bool is_batch = document.value.is_array();
+        for (Diagnostic diagnostic : answers.errors[i]->diagnostics()) {
+            diagnostic.file = file;
+            if (is_batch) {
+                diagnostic.line = document.record_lines[i];
+                diagnostic.field = diagnostic.field.empty()
+                                       ? fmt::format("[{}]", i)
+                                       : fmt::format("[{}].{}", i, diagnostic.field);
+            }
+            session.error(diagnostic.text());
+        }
+    }
+}
+
+int evaluate_file(const Session& session, const EvalOptions& options,
+                  const RecordEvaluator& evaluate)
+{
+    const JsonDocument document = parse_json(read_input(options.input), options.input);
+    const bool is_batch = document.value.is_array();
+    if (!is_batch && !document.value.is_object())
+        throw InputError({options.input, 0, "",
+                          fmt::format("must be one record {{…}} or an array of records (got {})",
+                                      quoted(document.value))});
+    const Answers answers =
+        answer_all(is_batch ? document.value : json::array({document.value}), evaluate);
+    write_text_output(options.output, is_batch ? batch_text(answers.records)
+                                               : answers.records.front().dump() + "\n");
+    report(session, options.input, document, answers);
+    const auto failed = [](const auto& error) { return error != nullptr; };
+    return std::any_of(answers.errors.begin(), answers.errors.end(), failed) ? kExitInputError
+                                                                             : kExitOk;
+}
+
+CLI::App* add_kind(CLI::App& eval, const char* name, const char* description, const char* help,
+                   const std::shared_ptr<EvalOptions>& options)
+{
+    CLI::App* kind = eval.add_subcommand(name, description)->fallthrough()->footer(help);
+    kind->add_option("FILE", options->input,
+                     "JSON record or array of records; - is the standard input")
+        ->capture_default_str();
+    kind->add_option("-o,--output", options->output, "where to write (default: standard output)");
+    return kind;
+}
+
+}  // namespace
+
+void add_eval(CLI::App& app, Session& session)
+{
+    CLI::App* eval = app.add_subcommand("eval", "numbers without pictures: JSON in, JSON out");
+    eval->fallthrough()->require_subcommand(1);
+    const auto options = std::make_shared<EvalOptions>();
+
+    add_kind(*eval, "stack", "R, T, A, r, t of a multilayer at one angle and wavelength",
+             kStackHelp, options)
+        ->callback([&session, options] {
+            session.run = [&session, options] {
+                return evaluate_file(session, *options, evaluate_stack);
+            };
+        });
+    add_kind(*eval, "grating", "directions and efficiencies of diffraction orders", kGratingHelp,
+             options)
+        ->callback([&session, options] {
+            session.run = [&session, options] {
+                return evaluate_file(session, *options, evaluate_grating);
+            };
+        });
+    CLI::App* spectrum = add_kind(*eval, "spectrum", "colour and colour temperature of a spectrum",
+                                  kSpectrumHelp, options);
+    add_colour_target_options(*spectrum, options->colour);
+    spectrum->callback([&session, options] {
+        session.run = [&session, options] {
+            const ColourTarget target = resolve_colour_target(options->colour);
+            return evaluate_file(session, *options, [&target](const json& record) {
+                return evaluate_spectrum(record, target);
+            });
+        };
+    });
+}
+
+}  // namespace nacre::tool

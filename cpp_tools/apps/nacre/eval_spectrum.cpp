@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include "eval.h"
+#include "nacre/spectral/colour.h"
+#include "nacre/spectral/spectrum.h"
+
+namespace nacre::tool {
+namespace {
+
+using spectral::Illuminant;
+using spectral::ObserverId;
+using spectral::Vec3;
+
+/// What all kinds of records come down to: XYZ, the same adapted to D65 for Lab and rgb.
+struct Colour {
+    Vec3 xyz, xyz_d65, lab_white;
+};
+
+Vec3 d65()
+{
+    return spectral::d65_white();
+}
+
+Colour emission_colour(const Vec3& xyz)
+{
+    return {xyz, xyz, d65()};
+}
+
+Colour source_colour(const Illuminant& source, ObserverId observer)
+{
+    Vec3 xyz = spectral::emission_to_xyz(source.power, observer);
+    const double y = xyz[1];
+    for (double& value : xyz) value /= y;
+    return emission_colour(xyz);
+}
+
+Colour reflectance_colour(const spectral::Sampled& reflectance, const Illuminant& illuminant,
+                          ObserverId observer)
+{
+    spectral::Sampled perfect;
+    perfect.fill(1.0);
+    const Vec3 white = spectral::reflectance_to_xyz(perfect, illuminant, observer);
+    const Vec3 xyz = spectral::reflectance_to_xyz(reflectance, illuminant, observer);
+    return {xyz, multiply(spectral::bradford(white, d65()), xyz), white};
+}
+
+ObserverId read_observer(ObjectReader& reader)
+{
+    if (!reader.optional("observer")) return ObserverId::cie1931;
+    const auto name = reader.choice("observer", {"cie1931", "cie1964"});
+    return name ? spectral::observer_from_name(*name) : ObserverId::cie1931;
+}
+
+std::optional<Illuminant> read_illuminant(ObjectReader& reader)
+{
+    const auto names = spectral::illuminant_names();
+    const auto name = reader.choice("illuminant", {names.begin(), names.end()});
+    return name ? std::optional(spectral::named_illuminant(*name)) : std::nullopt;
+}
+
+/// Records that name a light: `illuminant`, `blackbody_K` or `daylight_K` alone.
+Colour read_source(ObjectReader& reader, const char* key, DiagnosticList& problems)
+{
+    const ObserverId observer = read_observer(reader);
+    std::optional<Illuminant> source;
+    if (const std::string_view kind = key; kind == "illuminant") {
+        source = read_illuminant(reader);
+    } else if (kind == "blackbody_K") {
+        if (const auto kelvin = reader.number(key, {100.0, 1e6}))
+            source = spectral::blackbody(*kelvin);
+    } else if (const auto kelvin = reader.number(key, {4000.0, 25000.0})) {
+        source = spectral::daylight(*kelvin);
+    }
+    reader.refuse_unknown_keys();
+    problems.throw_if_any();
+    return source_colour(*source, observer);
+}
+
+std::optional<spectral::Spectrum> read_samples(ObjectReader& reader)
+{
+    const auto wavelengths = reader.numbers("wavelength_nm", kPositive);
+    const auto values = reader.numbers("values", kAnyNumber);
+    if (!wavelengths || !values) return std::nullopt;
+    if (values->size() != wavelengths->size()) {
+        reader.problem("values", fmt::format("must have one value for each of the {} wavelengths "
+                                             "(got {})",
+                                             wavelengths->size(), values->size()));
+        return std::nullopt;
+    }
+    if (wavelengths->size() < 2) {
+        reader.problem("wavelength_nm",
+                       fmt::format("must have ≥ 2 wavelengths (got {})", wavelengths->size()));
+        return std::nullopt;
+    }
+    for (std::size_t i = 1; i < wavelengths->size(); ++i) {
+        if ((*wavelengths)[i] > (*wavelengths)[i - 1]) continue;
+        reader.problem(fmt::format("wavelength_nm[{}]", i),
+                       fmt::format("must be > {} nm, the one before (got {})",
+                                   (*wavelengths)[i - 1], (*wavelengths)[i]));
+        return std::nullopt;
+    }
+    if (wavelengths->back() < spectral::kFirstNm || wavelengths->front() > spectral::kLastNm) {
+        reader.problem(
+            "wavelength_nm",
+            fmt::format("must reach into the visible {} … {} nm (got {} … {})", spectral::kFirstNm,
+                        spectral::kLastNm, wavelengths->front(), wavelengths->back()));
+        return std::nullopt;
+    }
+    return spectral::Spectrum(*wavelengths, *values);
+}
+
+Colour read_sampled(ObjectReader& reader, DiagnosticList& problems)
+{
+    const auto samples = read_samples(reader);
+    const auto kind = reader.choice("kind", {"emission", "reflectance"});
+    const ObserverId observer = read_observer(reader);
+    const bool named = reader.has("illuminant");
+    if (named && kind == "emission")
+        reader.problem("illuminant", "belongs to kind reflectance; an emission is its own light");
+    auto illuminant =
+        named ? read_illuminant(reader)
+              : (void(reader.optional("illuminant")), spectral::named_illuminant("D65"));
+    reader.refuse_unknown_keys();
+    problems.throw_if_any();
+    if (*kind == "emission")
+        return emission_colour(spectral::emission_to_xyz(samples->on_grid(), observer));
+    return reflectance_colour(samples->on_grid(), *illuminant, observer);
+}
+
+Colour read_colour(const json& record)
+{
+    DiagnosticList problems;
+    ObjectReader reader(record, "", problems);
+    problems.throw_if_any();
+    const bool sampled = reader.has("values") || reader.has("wavelength_nm") || reader.has("kind");
+    if (!sampled)
+        for (const char* key : {"blackbody_K", "daylight_K", "illuminant"})
+            if (reader.has(key)) return read_source(reader, key, problems);
+    return read_sampled(reader, problems);
+}
+
+}  // namespace
+
+ordered_json evaluate_spectrum(const json& record, const ColourTarget& target)
+{
+    const Colour colour = read_colour(record);
+    const auto& xyz = colour.xyz;
+    ordered_json xy = nullptr, cct = nullptr, duv = nullptr;
+    if (xyz[0] + xyz[1] + xyz[2] > 0.0) xy = spectral::xyz_to_xy(xyz);
+    if (!xy.is_null()) {
+        if (const auto temperature = spectral::colour_temperature(xyz)) {
+            cct = temperature->cct_kelvin;
+            duv = temperature->duv;
+        }
+    }
+    return {{"XYZ", xyz},
+            {"xy", xy},
+            {"Lab", spectral::xyz_to_lab(xyz, colour.lab_white)},
+            {"rgb", target.from_xyz_d65(colour.xyz_d65)},
+            {"space", target.name},
+            {"cct_K", cct},
+            {"duv", duv}};
+}
+
+}  // namespace nacre::tool

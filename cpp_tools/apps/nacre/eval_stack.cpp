@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "eval.h"
+#include "nacre/optics/multilayer.h"
+
+namespace nacre::tool {
+namespace {
+
+using optics::Complex;
+
+std::optional<Complex> read_index(const json& value, const std::string& field, bool is_ambient,
+                                  DiagnosticList& problems)
+{
+    if (!value.is_array() || value.size() != 2) {
+        problems.add({"", 0, field, fmt::format("must be [n, k] (got {})", quoted(value))});
+        return std::nullopt;
+    }
+    const auto n = read_number(value[0], field + "[0]", kPositive, problems);
+    const auto k = read_number(value[1], field + "[1]", kNotNegative, problems);
+    if (!n || !k) return std::nullopt;
+    if (is_ambient && *k > 0.0) {
+        problems.add({"", 0, field + "[1]",
+                      fmt::format("must be 0 in the ambient: light that is absorbed on its way has "
+                                  "no reflectance (got {})",
+                                  *k)});
+        return std::nullopt;
+    }
+    return Complex{*n, *k};
+}
+
+std::vector<Complex> read_indices(ObjectReader& reader, DiagnosticList& problems)
+{
+    const json* list = reader.required("n");
+    if (!list) return {};
+    if (!list->is_array() || list->size() < 2 || list->size() > optics::kMaxLayers + 2) {
+        reader.problem(
+            "n", fmt::format("must list 2 … {} indices [n, k], ambient and substrate and "
+                             "at most {} layers (got {})",
+                             optics::kMaxLayers + 2, optics::kMaxLayers,
+                             list->is_array() ? fmt::format("{}", list->size()) : quoted(*list)));
+        return {};
+    }
+    std::vector<Complex> indices;
+    for (std::size_t i = 0; i < list->size(); ++i) {
+        const auto index = read_index((*list)[i], fmt::format("n[{}]", i), i == 0, problems);
+        if (index) indices.push_back(*index);
+    }
+    return indices.size() == list->size() ? indices : std::vector<Complex>{};
+}
+
+bool is_word(const json& value, std::string_view word)
+{
+    const auto* text = value.get_ptr<const std::string*>();
+    return text && *text == word;
+}
+
+/// One flag a layer: true where it is coherent.
+std::vector<bool> read_coherence(ObjectReader& reader, std::size_t layers)
+{
+    std::vector<bool> coherent(layers, true);
+    const json* list = reader.optional("coherence");
+    if (!list) return coherent;
+    // The tmm package lists the two outer media too, which are always "i" there.
+    const bool with_ends = list->is_array() && list->size() == layers + 2;
+    const bool fits = with_ends ? is_word(list->front(), "i") && is_word(list->back(), "i")
+                                : list->is_array() && list->size() == layers;
+    if (!fits) {
+        reader.problem("coherence",
+                       fmt::format("must have one of c, i for each of the {} layers, or "
+                                   "for each medium with i at both ends (got {})",
+                                   layers, quoted(*list)));
+        return coherent;
+    }
+    for (std::size_t i = 0; i < layers; ++i) {
+        const std::size_t at = i + (with_ends ? 1 : 0);
+        const json& value = (*list)[at];
+        coherent[i] = is_word(value, "c");
+        if (!coherent[i] && !is_word(value, "i"))
+            reader.problem(fmt::format("coherence[{}]", at),
+                           fmt::format("must be c or i (got {})", quoted(value)));
+    }
+    return coherent;
+}
+
+struct StackQuestion {
+    optics::FilmStack stack;
+    double cos_ambient = 1.0, wavelength_nm = 0.0;
+    std::string polarisation;
+};
+
+StackQuestion read_stack(const json& record)
+{
+    DiagnosticList problems;
+    ObjectReader reader(record, "", problems);
+    const auto n = read_indices(reader, problems);
+    const auto thickness = reader.numbers("d_nm", kNotNegative);
+    const auto angle = reader.number("angle_deg", {0.0, 90.0, false, true});
+    const auto wavelength = reader.number("wavelength_nm", kPositive);
+    const auto polarisation = reader.choice("pol", {"s", "p", "u"});
+    if (!n.empty() && thickness && thickness->size() + 2 != n.size())
+        reader.problem("d_nm", fmt::format("must have one thickness for each of the {} layers of n "
+                                           "(got {})",
+                                           n.size() - 2, thickness->size()));
+    const auto coherent = read_coherence(reader, n.empty() ? 0 : n.size() - 2);
+    reader.refuse_unknown_keys();
+    problems.throw_if_any();
+
+    StackQuestion question{{n.front(), {}, n.back()},
+                           std::cos(*angle * std::numbers::pi / 180.0),
+                           *wavelength,
+                           *polarisation};
+    for (std::size_t i = 0; i < thickness->size(); ++i)
+        question.stack.layers.push_back({n[i + 1], (*thickness)[i], coherent[i]});
+    return question;
+}
+
+ordered_json pair(const Complex& value)
+{
+    return {value.real(), value.imag()};
+}
+
+}  // namespace
+
+ordered_json evaluate_stack(const json& record)
+{
+    const auto [stack, cos_ambient, wavelength_nm, polarisation] = read_stack(record);
+    const bool coherent = std::all_of(stack.layers.begin(), stack.layers.end(),
+                                      [](const optics::Layer& layer) { return layer.coherent; });
+    const auto which = polarisation == "p" ? optics::Polarisation::p : optics::Polarisation::s;
+    const optics::PowerRatios power =
+        polarisation == "u" ? optics::stack_power_unpolarised(stack, cos_ambient, wavelength_nm)
+                            : optics::stack_power(stack, cos_ambient, wavelength_nm, which);
+    ordered_json result = {
+        {"R", power.R}, {"T", power.T}, {"A", power.A}, {"r", nullptr}, {"t", nullptr}};
+    if (coherent && polarisation != "u") {
+        const auto [r, t] = optics::stack_amplitudes(stack, cos_ambient, wavelength_nm, which);
+        result["r"] = pair(r);
+        result["t"] = pair(t);
+    }
+    return result;
+}
+
+}  // namespace nacre::tool

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+/// @file
+/// Images in and out, by OpenImageIO.
+
+namespace nacre::tool {
+
+/// Row-major, top row first, channels interleaved.
+struct Image {
+    int width = 0, height = 0;
+    std::vector<std::string> channels;
+    std::vector<float> pixels;
+
+    [[nodiscard]] std::size_t channel_count() const noexcept { return channels.size(); }
+};
+
+using AttributeValue = std::variant<int, std::string, std::vector<float>>;
+using Attributes = std::map<std::string, AttributeValue>;
+
+enum class Depth { floating, half, byte };
+
+enum class Container { exr, tx, png };
+
+struct Encoding {
+    Container container;
+    Depth depth;
+};
+
+/// From the file name's extension and the name of a depth: float, half, byte, or empty for float,
+/// byte in a PNG. @throws InputError for what no container holds.
+[[nodiscard]] Encoding encoding_for(const std::filesystem::path& file, const std::string& depth);
+
+/// The bytes of the file, the same for the same arguments: no date, no host, no program.
+/// EXR is zip-compressed scan lines; .tx is a tiled EXR without mip maps; a PNG keeps text
+/// attributes only and its values are those of the pixels times 255, without a transfer curve.
+[[nodiscard]] std::string encode_image(const Image& image, const Attributes& attributes,
+                                       const Encoding& encoding);
+
+struct LoadedImage {
+    Image image;
+    std::string format;            ///< `openexr`, `png` …
+    std::string depth;             ///< `float`, `half`, `uint8` …
+    bool display_encoded = false;  ///< sRGB curve, as 8-bit files have it
+    Attributes attributes;
+};
+
+/// Reads all pixels as float, as they are stored. @throws InputError when the file is missing,
+/// cut short or not an image.
+[[nodiscard]] LoadedImage read_image(const std::filesystem::path& file);
+
+/// What half floats make of values, for measuring the error of a table that is stored so.
+void round_to_half(std::vector<float>& values);
+
+}  // namespace nacre::tool

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "image_file.h"
+#include "output.h"
+#include "session.h"
+
+namespace nacre::tool {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr const char* kHelp = R"(
+  nacre info soap_film.exr
+  nacre info soap_film.exr --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["stack"])')";
+
+constexpr std::string_view kPrefix = "nacre:";
+
+ordered_json attribute_json(const AttributeValue& value)
+{
+    if (const auto* number = std::get_if<int>(&value)) return *number;
+    if (const auto* list = std::get_if<std::vector<float>>(&value)) return *list;
+    // Axes, stack, error and maximum are JSON themselves.
+    const auto& text = std::get<std::string>(value);
+    const bool structured = text.starts_with('{') || text.starts_with('[');
+    ordered_json parsed =
+        structured ? ordered_json::parse(text, nullptr, false) : ordered_json(text);
+    return parsed.is_discarded() ? ordered_json(text) : parsed;
+}
+
+ordered_json describe(const std::string& file, const LoadedImage& loaded)
+{
+    ordered_json result = {{"file", file},
+                           {"format", loaded.format},
+                           {"width", loaded.image.width},
+                           {"height", loaded.image.height},
+                           {"channels", loaded.image.channels},
+                           {"depth", loaded.depth}};
+    for (const auto& [name, value] : loaded.attributes)
+        if (name.starts_with(kPrefix)) result[name.substr(kPrefix.size())] = attribute_json(value);
+    for (const char* name : {"colorInteropID", "chromaticities", "wrapmodes"})
+        if (const auto found = loaded.attributes.find(name); found != loaded.attributes.end())
+            result[name] = attribute_json(found->second);
+    return result;
+}
+
+std::string readable(const ordered_json& value)
+{
+    if (value.is_string()) return value.get<std::string>();
+    return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
+}
+
+std::string axis_text(const ordered_json& axis)
+{
+    const std::string unit = axis.value("unit", "");
+    return fmt::format("{}, {} … {}{}", axis.value("name", ""),
+                       readable(axis.value("min", ordered_json())),
+                       readable(axis.value("max", ordered_json())), unit == "1" ? "" : " " + unit);
+}
+
+std::string text_of(const ordered_json& description)
+{
+    std::string text =
+        fmt::format("{}: {} x {} {}, channels {}, {}\n", readable(description["file"]),
+                    description["width"].get<int>(), description["height"].get<int>(),
+                    readable(description["depth"]),
+                    fmt::join(description["channels"].get<std::vector<std::string>>(), " "),
+                    readable(description["format"]));
+    if (!description.contains("schema"))
+        text += "not a table of nacre: no attribute nacre:schema\n";
+    for (const auto& [name, value] : description.items()) {
+        if (name == "file" || name == "format" || name == "width" || name == "height" ||
+            name == "channels" || name == "depth")
+            continue;
+        if (name == "axes" && value.is_array()) {
+            for (const ordered_json& axis : value)
+                if (axis.is_object()) text += fmt::format("axis: {}\n", axis_text(axis));
+        } else {
+            text += fmt::format("{}: {}\n", name, readable(value));
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Session& session)
+{
+    const auto files = std::make_shared<std::vector<std::string>>();
+    CLI::App* info = app.add_subcommand("info", "what is in a baked file");
+    info->fallthrough()->footer(kHelp);
+    info->add_option("FILE", *files, "images; with --json one object, or an array for several")
+        ->required();
+    info->callback([&session, files] {
+        session.run = [&session, files] {
+            ordered_json list = ordered_json::array();
+            std::string text;
+            for (const std::string& file : *files) {
+                list.push_back(describe(file, read_image(file)));
+                text += text_of(list.back());
+            }
+            const ordered_json& result = list.size() == 1 ? list.front() : list;
+            write_text_output("", session.json ? result.dump(2) + "\n" : text);
+            return kExitOk;
+        };
+    });
+}
+
+}  // namespace nacre::tool

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+
+#include "child_process.h"
+#include "compile.h"
+#include "nacre/core/diagnostics.h"
+#include "output.h"
+#include "session.h"
+#include "share_files.h"
+#include "signals.h"
+#include "staged_folder.h"
+
+namespace nacre::tool {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHelp = R"(A picture of a material, by Blender's Cycles in background
+Usage: nacre [--quiet] render --material ID|--template FILE.toml [options] -o FILE.exr|.png
+       nacre [--quiet] render --blend FILE [--assign OBJECT=ID …] [--frames A-B] -o FILE
+
+Options:
+  --material ID          a material of the library (nacre library list --kind templates)
+  --template FILE        a template; it is compiled first
+  --set NAME=VALUE       a socket of the material, e.g. thickness_nm=320; may be repeated
+  --stage NAME           furnace, sphere, plane, bubble or shaderball
+  --samples N            samples a pixel
+  --size WxH             pixels
+  --seed S               of the noise; the same seed gives the same pixels
+  --blend FILE           a scene of one's own instead of a stage
+  --assign OBJECT=ID     gives an object a material; may be repeated
+  --frames A-B           frames of the scene; #### in the output's name is the frame
+  -o, --output FILE      .exr scene-linear, .png for the screen
+
+Cycles is looked for in this order: NACRE_PYTHON (a Python with bpy), NACRE_BLENDER (a Blender program),
+.venv of the checkout or the prefix, python3, blender on the path.
+
+  nacre render --material soap_film --stage bubble --samples 64 -o bubble.png
+  nacre render --template my_film.toml --set thickness_nm=320 --stage furnace -o furnace.exr
+)";
+
+constexpr const char* kHowToInstall =
+    "no Blender was found: set NACRE_PYTHON to a Python with bpy (pip install \"bpy==4.5.*\" on "
+    "Python 3.11), or NACRE_BLENDER to a Blender of 4.2 or newer";
+
+/// A program that runs the driver, and how it was found.
+struct Renderer {
+    std::vector<std::string> command;
+    std::string description;
+};
+
+bool has_bpy(const fs::path& python)
+{
+    constexpr const char* kProbe =
+        "import importlib.util, sys; sys.exit(importlib.util.find_spec('bpy') is None)";
+    return run_child({python.string(), "-c", kProbe}, {{}, {}, true}).exit_code == 0;
+}
+
+Renderer python_renderer(const fs::path& python, const std::string& origin)
+{
+    return {{python.string(), share_path("addon/driver.py").string(), "render"},
+            fmt::format("bpy of {} ({})", python.string(), origin)};
+}
+
+Renderer blender_renderer(const fs::path& blender, const std::string& origin)
+{
+    return {{blender.string(), "-b", "--factory-startup", "--python-exit-code", "1", "--python",
+             share_path("addon/driver.py").string(), "--", "render"},
+            fmt::format("{} ({})", blender.string(), origin)};
+}
+
+std::string environment(const char* name)
+{
+    const char* value = std::getenv(name);
+    return value ? value : "";
+}
+
+/// What the user named has to work: falling back would hide a mistyped path.
+std::optional<Renderer> named_renderer()
+{
+    if (const std::string python = environment("NACRE_PYTHON"); !python.empty()) {
+        const auto program = find_program(python);
+        if (!program || !has_bpy(*program))
+            throw InputError(
+                {"", 0, "NACRE_PYTHON",
+                 fmt::format("must be a Python that can import bpy (got {})", python)});
+        return python_renderer(*program, "NACRE_PYTHON");
+    }
+    if (const std::string blender = environment("NACRE_BLENDER"); !blender.empty()) {
+        const auto program = find_program(blender);
+        if (!program)
+            throw InputError({"", 0, "NACRE_BLENDER",
+                              fmt::format("must be a Blender program (got {})", blender)});
+        return blender_renderer(*program, "NACRE_BLENDER");
+    }
+    return std::nullopt;
+}
+
+Renderer find_renderer()
+{
+    if (auto named = named_renderer()) return *named;
+    // In a build tree share/nacre/addon is a link into the checkout.
+    const fs::path share = share_path("addon");
+    for (const fs::path& home :
+         {fs::canonical(share).parent_path(), share.parent_path().parent_path().parent_path()}) {
+        const fs::path python = home / ".venv" / "bin" / "python";
+        if (find_program(python.string()) && has_bpy(python))
+            return python_renderer(python, "environment of " + home.string());
+    }
+    if (const auto python = find_program("python3"); python && has_bpy(*python))
+        return python_renderer(*python, "python3 on the path");
+    if (const auto blender = find_program("blender"))
+        return blender_renderer(*blender, "on the path");
+    throw InputError({"", 0, "", kHowToInstall});
+}
+
+/// Folder for one run's compiled template, removed with it.
+class ScratchFolder {
+public:
+    ScratchFolder()
+    {
+        std::string name = (fs::temp_directory_path() / "nacre-render.XXXXXX").string();
+        if (!mkdtemp(name.data())) throw InputError({name, 0, "", "cannot be made"});
+        path_ = name;
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+    ~ScratchFolder()
+    {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    [[nodiscard]] const fs::path& path() const noexcept { return path_; }
+
+private:
+    fs::path path_;
+};
+
+/// Takes `--template FILE` or `--template=FILE` out of the arguments.
+std::optional<std::string> take_template(std::vector<std::string>& arguments)
+{
+    for (auto at = arguments.begin(); at != arguments.end(); ++at) {
+        const bool joined = at->starts_with("--template=");
+        if (!joined && *at != "--template") continue;
+        if (!joined && at + 1 == arguments.end())
+            throw InputError({"", 0, "--template", "must be followed by a file"});
+        const std::string file =
+            joined ? at->substr(std::string_view("--template=").size()) : at[1];
+        arguments.erase(at, at + (joined ? 1 : 2));
+        return file;
+    }
+    return std::nullopt;
+}
+
+int render(const Session& session, std::vector<std::string> arguments)
+{
+    const auto asks_help = [](const std::string& text) { return text == "--help" || text == "-h"; };
+    if (arguments.empty() || std::any_of(arguments.begin(), arguments.end(), asks_help)) {
+        write_text_output("", kHelp);
+        return arguments.empty() ? kExitInputError : kExitOk;
+    }
+    const WritingGuard guard;
+    const ScratchFolder scratch;
+    if (const auto file = take_template(arguments)) {
+        const auto compiled = compile_templates(session, {{*file}, scratch.path(), {}, false});
+        arguments.insert(arguments.end(), {"--compiled", compiled.front().folder.string()});
+    }
+    Renderer renderer = find_renderer();
+    session.note("uses " + renderer.description);
+    renderer.command.insert(renderer.command.end(), arguments.begin(), arguments.end());
+    ChildOptions options;
+    if (environment("NACRE_MATERIALS").empty())
+        options.environment["NACRE_MATERIALS"] = share_path("materials").string();
+    const int code = run_child(renderer.command, options).exit_code;
+    check_interrupted();
+    return code;
+}
+
+}  // namespace
+
+void add_render(CLI::App& app, Session& session)
+{
+    // The driver owns these options; only its --template is ours to act on.
+    CLI::App* command =
+        app.add_subcommand("render", "a picture of a material, by Blender's Cycles");
+    command->set_help_flag();
+    command->prefix_command();
+    command->callback([&session, command] {
+        session.run = [&session, arguments = command->remaining()] {
+            return render(session, arguments);
+        };
+    });
+}
+
+}  // namespace nacre::tool

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace nacre::tool {
+
+/// A file or folder of `<prefix>/share/nacre`, where `<prefix>/bin` holds this program; the build
+/// tree has the same layout. @throws InputError when it is not there
+[[nodiscard]] std::filesystem::path share_path(const std::filesystem::path& name);
+
+}  // namespace nacre::tool

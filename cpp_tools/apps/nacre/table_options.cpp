@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "table_options.h"
+
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <CLI/CLI.hpp>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/spectral/illuminant.h"
+
+namespace nacre::tool {
+
+void add_table_options(CLI::App& command, TableOptions& options)
+{
+    command
+        .add_option("--tolerance", options.tolerance,
+                    "largest ΔE00 between texels; decides the size")
+        ->capture_default_str();
+    command
+        .add_option("--illuminant", options.illuminant,
+                    fmt::format("{}", fmt::join(spectral::illuminant_names(), ", ")))
+        ->capture_default_str();
+    command.add_option("--observer", options.observer, "cie1931, cie1964")->capture_default_str();
+    add_colour_target_options(command, options.colour);
+}
+
+ResolvedTableOptions resolve(const TableOptions& options)
+{
+    if (!(options.tolerance > 0.0) || !std::isfinite(options.tolerance))
+        throw InputError(
+            {"", 0, "--tolerance", fmt::format("must be > 0 (got {})", options.tolerance)});
+    const ColourTarget target = resolve_colour_target(options.colour);
+    ResolvedTableOptions result;
+    result.provenance.space = linear_space(target);
+    result.provenance.built_in_space = target.built_in;
+    result.provenance.illuminant = spectral::named_illuminant(options.illuminant).name;
+    result.provenance.observer = spectral::observer_from_name(options.observer);
+    result.compile.illuminant = result.provenance.illuminant;
+    result.compile.observer = result.provenance.observer;
+    result.compile.space = target.name;
+    if (!target.built_in) result.compile.custom_space = result.provenance.space;
+    result.compile.tolerance = options.tolerance;
+    return result;
+}
+
+}  // namespace nacre::tool

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "colour_target.h"
+#include "nacre/pipeline/compile.h"
+#include "table_image.h"
+
+/// @file
+/// Options that `bake stack` and `compile` share: how a table becomes colour, and how exact.
+
+namespace nacre::tool {
+
+struct TableOptions {
+    double tolerance = 0.1;
+    std::string illuminant = "D65", observer = "cie1931";
+    ColourTargetOptions colour;
+};
+
+struct ResolvedTableOptions {
+    pipeline::CompileOptions compile;
+    TableProvenance provenance;  ///< the stack is the caller's to add
+};
+
+void add_table_options(CLI::App& command, TableOptions& options);
+
+/// @throws InputError for names that do not exist, or a space that is not scene-linear
+[[nodiscard]] ResolvedTableOptions resolve(const TableOptions& options);
+
+}  // namespace nacre::tool
