@@ -1,0 +1,184 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""`nacre compile`: folders that appear whole and hold the same bytes every time."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import stat
+from pathlib import Path
+
+import pytest
+from images import attribute, read
+
+FILM = """\
+schema = 1
+[material]
+id = "{id}"
+name = "Test Film"
+category = "Tests"
+source = "made up"
+[ambient]
+medium = "air"
+[[layer]]
+n = 1.33
+thickness_nm = {thickness}
+[substrate]
+n = 1.5
+"""
+VARIES = "{ default = 200, min = 0, max = 400, varies = true }"
+
+
+@pytest.fixture
+def film(tmp_path) -> Path:
+    path = tmp_path / "film.toml"
+    path.write_text(FILM.format(id="test_film", thickness=VARIES))
+    return path
+
+
+def contents(folder: Path) -> dict[str, str]:
+    return {
+        str(path.relative_to(folder)): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in sorted(folder.rglob("*"))
+        if path.is_file()
+    }
+
+
+def test_all_templates_compile_twice_to_the_same_bytes(nacre, templates, tmp_path):
+    sources = sorted(templates.glob("*.toml"))
+    for name in ("first", "second"):
+        # From different folders and by different paths: no path may enter a file.
+        (tmp_path / name).mkdir()
+        relative = [os.path.relpath(source, tmp_path / name) for source in sources]
+        nacre.ok("compile", *relative, "-o", "materials", cwd=tmp_path / name)
+    first = contents(tmp_path / "first" / "materials")
+    assert first == contents(tmp_path / "second" / "materials")
+    assert {Path(name).parts[0] for name in first} == {source.stem for source in sources}
+
+
+def test_manifest_and_tables_agree(nacre, film, tmp_path):
+    nacre.ok("compile", film, "-o", tmp_path / "out")
+    folder = tmp_path / "out" / "test_film"
+    manifest = json.loads((folder / "test_film.json").read_text())
+    assert manifest["id"] == "test_film"
+    assert (folder / "test_film.osl").read_text().count("shader") >= 1
+    assert stat.S_IMODE(folder.stat().st_mode) == 0o755
+    assert [table["name"] for table in manifest["tables"]] == ["R"]
+    for table in manifest["tables"]:
+        pixels, attributes = read(folder / table["file"])
+        assert pixels.shape == (table["height"], table["width"], 3)
+        assert attribute(attributes, "axes") == table["axes"]
+        assert attribute(attributes, "error") == table["error"]
+        assert attributes["nacre:space"] == manifest["space"]
+
+
+def test_compiled_table_is_the_baked_table(nacre, film, tmp_path):
+    nacre.ok("compile", film, "-o", tmp_path / "out")
+    nacre.ok("bake", "stack", film, "-o", tmp_path / "R.exr")
+    compiled = tmp_path / "out" / "test_film" / "test_film_R.exr"
+    assert compiled.read_bytes() == (tmp_path / "R.exr").read_bytes()
+
+
+def test_options_reach_the_manifest(nacre, film, tmp_path):
+    options = ("--space", "lin_ap1_scene", "--illuminant", "A", "--observer", "cie1964")
+    nacre.ok("compile", film, *options, "--tolerance", "1", "-o", tmp_path)
+    manifest = json.loads((tmp_path / "test_film" / "test_film.json").read_text())
+    assert manifest["space"] == "lin_ap1_scene"
+    assert manifest["illuminant"] == "A"
+    assert manifest["observer"] == "cie1964"
+
+
+def test_a_folder_is_replaced_whole(nacre, film, tmp_path):
+    target = tmp_path / "out" / "test_film"
+    nacre.ok("compile", film, "-o", tmp_path / "out")
+    (target / "stale.exr").write_text("left over")
+    nacre.ok("compile", film, "-o", tmp_path / "out")
+    assert not (target / "stale.exr").exists()
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["test_film"]
+
+
+def test_a_folder_of_the_users_own_is_not_replaced(nacre, film, tmp_path):
+    own = tmp_path / "out" / "test_film"
+    own.mkdir(parents=True)
+    (own / "thesis.txt").write_text("years of work")
+    assert "is not a compiled material" in nacre.fails("compile", film, "-o", tmp_path / "out")
+    assert (own / "thesis.txt").read_text() == "years of work"
+
+
+def test_one_bad_template_stops_them_all(nacre, film, tmp_path):
+    bad = tmp_path / "bad.toml"
+    bad.write_text(FILM.format(id="bad", thickness="-5"))
+    worse = tmp_path / "worse.toml"
+    worse.write_text(FILM.format(id="Worse!", thickness="400").replace("n = 1.33", "n = -1"))
+    errors = nacre.fails("compile", film, bad, worse, "-o", tmp_path / "out")
+    assert f"nacre compile: {bad}:10: layer[0].thickness_nm: " in errors
+    assert "(got -5)" in errors
+    assert f"{worse}:3: material.id" in errors
+    assert f"{worse}:9: layer[0].n" in errors
+    assert not (tmp_path / "out").exists()
+
+
+def test_two_templates_of_one_id(nacre, film, tmp_path):
+    other = tmp_path / "other.toml"
+    other.write_text(film.read_text())
+    errors = nacre.fails("compile", film, other, "-o", tmp_path / "out")
+    assert f'{other}: material.id: must differ from the other templates\' (got "test_film")' in errors
+    assert not (tmp_path / "out").exists()
+
+
+def test_unknown_medium_names_template_and_line(nacre, film, tmp_path):
+    film.write_text(film.read_text().replace("n = 1.33", 'medium = "H2O/Nobody"'))
+    errors = nacre.fails("compile", film, "-o", tmp_path / "out")
+    assert f"{film}:9: " in errors
+    assert "H2O/Nobody" in errors
+
+
+def test_summary_as_json(nacre, film, tmp_path):
+    (summary,) = json.loads(nacre.ok("compile", film, "--json", "-o", tmp_path))
+    assert summary["id"] == "test_film"
+    assert summary["folder"] == str(tmp_path / "test_film")
+    assert summary["tables"][0]["error"]["max"] <= 0.1
+
+
+OSLC = """\
+#!/bin/sh
+# Stands for oslc: `oslc -o RESULT SOURCE`.
+{body}
+"""
+
+
+def fake_oslc(tmp_path, body):
+    program = tmp_path / "bin" / "oslc"
+    program.parent.mkdir()
+    program.write_text(OSLC.format(body=body))
+    program.chmod(0o755)
+    return {"PATH": f"{program.parent}:{os.environ['PATH']}"}
+
+
+def test_oslc_on_the_path_is_used_by_bare_names(nacre, film, tmp_path):
+    environment = fake_oslc(tmp_path, 'echo "compiled from " > ""')
+    nacre.ok("compile", film, "-o", tmp_path / "out", env=environment)
+    oso = tmp_path / "out" / "test_film" / "test_film.oso"
+    assert oso.read_text() == "compiled from test_film.osl\n"
+
+
+def test_a_refusing_oslc_stops_the_compilation(nacre, film, tmp_path):
+    environment = fake_oslc(tmp_path, 'echo "error: no such closure" >&2; exit 1')
+    errors = nacre.fails("compile", film, "-o", tmp_path / "out", env=environment)
+    assert "test_film.osl" in errors
+    assert "error: no such closure" in errors
+    assert list((tmp_path / "out").iterdir()) == []
+
+
+def test_cycles_compiles_where_nacre_python_has_bpy(nacre, film, tmp_path):
+    python = os.environ.get("NACRE_BPY45")
+    if not python:
+        pytest.skip("NACRE_BPY45 does not name a Python with bpy 4.5")
+    for name in ("first", "second"):
+        nacre.ok("compile", film, "-o", tmp_path / name, env={"NACRE_PYTHON": python})
+    oso = (tmp_path / "first" / "test_film" / "test_film.oso").read_text()
+    assert oso.startswith("OpenShadingLanguage")
+    assert str(tmp_path) not in oso
+    assert contents(tmp_path / "first") == contents(tmp_path / "second")

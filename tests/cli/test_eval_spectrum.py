@@ -1,0 +1,228 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""`nacre eval spectrum` against colour-science on the same 1 nm tables, and against published values."""
+
+from __future__ import annotations
+
+import json
+import math
+import random
+
+import colour
+import numpy as np
+import pytest
+
+GRID = np.arange(360, 831)
+OBSERVERS = {
+    "cie1931": "CIE 1931 2 Degree Standard Observer",
+    "cie1964": "CIE 1964 10 Degree Standard Observer",
+}
+
+
+def cmfs(observer):
+    return colour.MSDS_CMFS[OBSERVERS[observer]].copy().align(colour.SpectralShape(360, 830, 1))
+
+
+def gaussian(centre, width, wavelengths):
+    return np.exp(-(((np.asarray(wavelengths) - centre) / width) ** 2))
+
+
+def rough(seed, count):
+    random_number = random.Random(seed)
+    return [random_number.random() for _ in range(count)]
+
+
+def spectrum(name, wavelengths, values, kind, observer="cie1931", illuminant=None):
+    record = {
+        "wavelength_nm": [float(x) for x in wavelengths],
+        "values": [float(x) for x in values],
+        "kind": kind,
+        "observer": observer,
+    }
+    if illuminant:
+        record["illuminant"] = illuminant
+    return pytest.param(record, id=name)
+
+
+FIVE = np.arange(380, 781, 5)
+TEN = np.arange(360, 831, 10)
+EMISSIONS = [
+    spectrum("equal-energy", [360, 830], [1, 1], "emission"),
+    spectrum("equal-energy-10deg", [360, 830], [1, 1], "emission", "cie1964"),
+    spectrum("line-546", GRID, gaussian(546, 1.5, GRID), "emission"),
+    spectrum("line-589", GRID, gaussian(589, 2, GRID), "emission", "cie1964"),
+    spectrum("led", FIVE, gaussian(450, 15, FIVE) + 0.6 * gaussian(560, 60, FIVE), "emission"),
+    spectrum("laser-one-texel", [531, 532, 533], [0, 1, 0], "emission"),
+    spectrum("triangle-off-grid", [500.25, 540.5, 610.75], [0, 3, 0], "emission"),
+    spectrum("rough-1nm", GRID, rough(1, 471), "emission"),
+    spectrum("rough-5nm", FIVE, rough(2, 81), "emission", "cie1964"),
+    spectrum("wider-than-visible", [200, 1200], [0, 5], "emission"),
+    spectrum("bright", TEN, 1e4 * gaussian(600, 100, TEN), "emission"),
+]
+REFLECTANCES = [
+    spectrum("grey", [360, 830], [0.18, 0.18], "reflectance", illuminant="E"),
+    spectrum("ramp", [360, 830], [0, 1], "reflectance", illuminant="E"),
+    spectrum("ramp-A", [360, 830], [0, 1], "reflectance", illuminant="A"),
+    spectrum("ramp-D65", [360, 830], [1, 0], "reflectance", illuminant="D65"),
+    spectrum("default-light", [360, 830], [0.3, 0.7], "reflectance"),
+    spectrum("band-10deg", TEN, gaussian(520, 40, TEN), "reflectance", "cie1964", "D65"),
+    spectrum("notch", GRID, 1 - gaussian(580, 12, GRID), "reflectance", illuminant="D65"),
+    spectrum("fringes", GRID, np.cos(3e4 / GRID) ** 2, "reflectance", illuminant="D65"),
+    spectrum("rough-A-10deg", GRID, rough(3, 471), "reflectance", "cie1964", "A"),
+    spectrum("rough-5nm-D65", FIVE, rough(4, 81), "reflectance", illuminant="D65"),
+    spectrum("step", [360, 599.999, 600, 830], [0, 0, 1, 1], "reflectance", illuminant="A"),
+]
+
+
+def on_grid(record):
+    """To 1 nm as colour-science does for equal steps, else linearly; ends are held."""
+    wavelengths, values = record["wavelength_nm"], record["values"]
+    if len(values) >= 6 and len(set(np.diff(wavelengths))) == 1:
+        samples = colour.SpectralDistribution(dict(zip(wavelengths, values, strict=True)))
+        return samples.align(colour.SpectralShape(360, 830, 1)).values
+    return np.interp(GRID, wavelengths, values)
+
+
+def light_on_grid(name):
+    """The CIE's table in steps of 5 nm, linear in between."""
+    if name == "E":
+        return np.ones(471)
+    light = colour.SDS_ILLUMINANTS[name]
+    return np.interp(GRID, light.wavelengths, light.values)
+
+
+def reference_xyz(values, observer, light):
+    shape = dict(zip(GRID, values, strict=True))
+    return (
+        colour.sd_to_XYZ(
+            colour.SpectralDistribution(shape),
+            cmfs(observer),
+            colour.SpectralDistribution(dict(zip(GRID, light, strict=True))),
+            method="Integration",
+        )
+        / 100
+    )
+
+
+@pytest.mark.parametrize("record", EMISSIONS)
+def test_emission_agrees_with_colour_science(nacre, record):
+    expected = reference_xyz(on_grid(record), record["observer"], np.ones(471))
+    answer = nacre.evaluate("spectrum", record)
+    scale = max(1.0, float(np.max(expected)))
+    assert np.max(np.abs(np.array(answer["XYZ"]) - expected)) <= 1e-9 * scale
+    assert answer["xy"] == pytest.approx(colour.XYZ_to_xy(expected).tolist(), abs=1e-9)
+
+
+@pytest.mark.parametrize("record", REFLECTANCES)
+def test_reflectance_agrees_with_colour_science(nacre, record):
+    light = light_on_grid(record.get("illuminant", "D65"))
+    expected = reference_xyz(on_grid(record), record["observer"], light)
+    answer = nacre.evaluate("spectrum", record)
+    assert np.max(np.abs(np.array(answer["XYZ"]) - expected)) <= 1e-9
+
+    white = reference_xyz(np.ones(471), record["observer"], light)
+    lab = colour.XYZ_to_Lab(expected, colour.XYZ_to_xy(white))
+    assert answer["Lab"] == pytest.approx(lab.tolist(), abs=1e-6)
+
+
+@pytest.mark.parametrize("illuminant", ["E", "A", "D65", "D50"])
+@pytest.mark.parametrize("observer", list(OBSERVERS))
+@pytest.mark.parametrize("space", ["lin_rec709_scene", "lin_rec2020_scene", "lin_ap1_scene"])
+def test_a_perfect_white_is_white(nacre, illuminant, observer, space):
+    record = {
+        "wavelength_nm": [360, 830],
+        "values": [1, 1],
+        "kind": "reflectance",
+        "illuminant": illuminant,
+        "observer": observer,
+    }
+    answer = nacre.evaluate("spectrum", record, "--space", space)
+    assert answer["rgb"] == pytest.approx([1, 1, 1], abs=1e-12)
+    assert answer["Lab"] == pytest.approx([100, 0, 0], abs=1e-10)
+    assert answer["space"] == space
+
+
+# CIE 015:2018, chromaticities for the 1931 observer; sums over 5 nm, ours are over 1 nm.
+PUBLISHED_XY = {"A": (0.44758, 0.40745), "D65": (0.31272, 0.32903), "D50": (0.34567, 0.35851)}
+
+
+@pytest.mark.parametrize("name", PUBLISHED_XY)
+def test_named_lights_have_their_published_chromaticity(nacre, name):
+    answer = nacre.evaluate("spectrum", {"illuminant": name})
+    assert answer["xy"] == pytest.approx(PUBLISHED_XY[name], abs=3e-5)
+    assert answer["XYZ"][1] == pytest.approx(1, abs=1e-15)
+
+
+def test_colour_temperature(nacre):
+    incandescent, warm, daylight, line = nacre.evaluate(
+        "spectrum",
+        [
+            {"illuminant": "A"},
+            {"blackbody_K": 3500},
+            {"daylight_K": 6504},
+            {"wavelength_nm": [519, 520, 521], "values": [0, 1, 0], "kind": "emission"},
+        ],
+    )
+    assert incandescent["cct_K"] == pytest.approx(2856, abs=1)
+    assert warm["cct_K"] == pytest.approx(3500, abs=1)
+    assert warm["duv"] == pytest.approx(0, abs=1e-5)
+    # IES TM-30: D65 lies 0.0032 above the Planckian locus.
+    assert daylight["cct_K"] == pytest.approx(6503, abs=3)
+    assert daylight["duv"] == pytest.approx(0.0032, abs=1e-4)
+    assert line["cct_K"] is None
+    assert line["duv"] is None
+
+
+def test_equal_energy_has_unit_luminance(nacre):
+    record = {"wavelength_nm": [360, 830], "values": [1, 1], "kind": "emission"}
+    assert nacre.evaluate("spectrum", record)["XYZ"][1] == pytest.approx(1, abs=1e-14)
+
+
+def test_black_has_no_chromaticity(nacre):
+    record = {"wavelength_nm": [360, 830], "values": [0, 0], "kind": "reflectance"}
+    answer = nacre.evaluate("spectrum", record)
+    assert answer["XYZ"] == [0, 0, 0]
+    assert answer["xy"] is None
+    assert answer["cct_K"] is None
+
+
+RAMP = {"wavelength_nm": [400, 500, 600], "values": [0, 1, 0], "kind": "emission"}
+BAD = {
+    "sizes": ({"values": [1, 2]}, "values: must have one value for each of the 3 wavelengths (got 2)"),
+    "descending": ({"wavelength_nm": [400, 600, 500]}, "wavelength_nm[2]: must be > 600 nm"),
+    "doubled": ({"wavelength_nm": [400, 400, 500]}, "wavelength_nm[1]: must be > 400 nm"),
+    "nan": ({"values": [0, math.nan, 0]}, "values[1]: must be finite (got NaN)"),
+    "one-sample": ({"wavelength_nm": [500], "values": [1]}, "wavelength_nm: must have ≥ 2"),
+    "invisible": ({"wavelength_nm": [900, 950, 1000]}, "must reach into the visible 360 … 830 nm"),
+    "kind": ({"kind": "glow"}, 'kind: must be one of emission, reflectance (got "glow")'),
+    "observer": ({"observer": "cie2015"}, "observer: must be one of cie1931, cie1964"),
+    "light": ({"kind": "reflectance", "illuminant": "F99"}, "illuminant: must be one of"),
+    "light-of-emission": ({"illuminant": "D65"}, "illuminant: belongs to kind reflectance"),
+    "unknown-key": ({"wavelength": [1]}, "wavelength: is not known here"),
+}
+
+
+@pytest.mark.parametrize("name", BAD)
+def test_bad_record(nacre, name):
+    change, message = BAD[name]
+    assert message in nacre.fails("eval", "spectrum", stdin=json.dumps({**RAMP, **change}))
+
+
+@pytest.mark.parametrize(
+    ("record", "message"),
+    [
+        ({"blackbody_K": 10}, "blackbody_K: must be in [100, 1000000] (got 10)"),
+        ({"daylight_K": 3000}, "daylight_K: must be in [4000, 25000] (got 3000)"),
+        ({"illuminant": "D66"}, "illuminant: must be one of"),
+        ({"illuminant": "A", "space": "x"}, "space: is not known here"),
+        ({}, "wavelength_nm: is missing"),
+    ],
+)
+def test_bad_source(nacre, record, message):
+    assert message in nacre.fails("eval", "spectrum", stdin=json.dumps(record))
+
+
+def test_unknown_space_lists_the_known_ones(nacre):
+    errors = nacre.fails("eval", "spectrum", "--space", "srgb", stdin=json.dumps(RAMP))
+    assert "lin_rec709_scene" in errors
+    assert "srgb" in errors

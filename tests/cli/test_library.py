@@ -1,0 +1,180 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""`nacre library`: what is built in, and what is wrong with a user's own files."""
+
+from __future__ import annotations
+
+import json
+
+import jsonschema
+import pytest
+import tomllib
+
+GLASS_YAML = """\
+REFERENCES: "SCHOTT, N-BK7"
+COMMENTS: "test"
+DATA:
+  - type: formula 2
+    wavelength_range: 0.3 2.5
+    coefficients: 0 1.03961212 0.00600069867 0.231792344 0.0200179144 1.01046945 103.560653
+"""
+
+
+def test_every_medium_can_be_shown_with_its_citation(nacre):
+    keys = json.loads(nacre.ok("library", "list", "--json"))
+    assert len(keys) > 10
+    for entry in keys:
+        shown = json.loads(nacre.ok("library", "show", entry["key"], "--at", "550", "--json"))
+        assert shown["at"][0]["n"] > 0
+        assert shown["at"][0]["k"] >= 0
+        if entry["range_nm"]:
+            assert shown["references"]
+            assert entry["range_nm"][0] <= 550 <= entry["range_nm"][1]
+
+
+def test_list_is_searched_without_regard_to_case(nacre):
+    lines = nacre.ok("library", "list", "JOHNSON").splitlines()
+    assert lines
+    assert all("Johnson" in line for line in lines)
+    assert nacre.ok("library", "list", "no such medium") == ""
+
+
+def test_water_at_the_sodium_line(nacre):
+    """Daimon & Masumura 2007: n = 1.3334 at 589 nm and 20 °C."""
+    text = nacre.ok("library", "show", "water/Daimon-20C", "--at", "589.3")
+    assert "n = 1.333" in text
+    assert "Daimon" in text
+
+
+def test_other_kinds(nacre, templates):
+    assert "D65" in nacre.ok("library", "list", "--kind", "illuminants").splitlines()
+    assert "lin_rec709_scene" in nacre.ok("library", "list", "--kind", "spaces").splitlines()
+    built_in = nacre.ok("library", "list", "--kind", "templates").splitlines()
+    assert sorted(built_in) == sorted(path.stem for path in templates.glob("*.toml"))
+
+
+def test_unknown_medium_names_near_matches(nacre):
+    errors = nacre.fails("library", "show", "Fe/Jonson")
+    assert "Fe/Jonson" in errors
+    assert "Fe/Johnson" in errors
+
+
+def test_wavelength_outside_the_data_names_the_range(nacre):
+    (entry,) = json.loads(nacre.ok("library", "list", "Fe/Johnson", "--json"))
+    first, last = entry["range_nm"]
+    for nm in (first - 1, last + 1, 0, -5):
+        errors = nacre.fails("library", "show", "Fe/Johnson", "--at", str(nm))
+        assert f"{first:.0f}" in errors.replace(f"{first:.1f}", f"{first:.0f}")
+        assert "Fe/Johnson" in errors
+
+
+def test_all_templates_and_constants_of_the_project_are_valid(nacre, templates):
+    constants = (nacre.program.parents[1] / "share/nacre/data/optical_constants").rglob("*.yml")
+    nacre.ok("library", "check", *templates.glob("*.toml"), *constants)
+
+
+def test_templates_fit_the_schema(nacre, templates):
+    schema = json.loads(nacre.ok("library", "schema"))
+    validator = jsonschema.Draft202012Validator(schema)
+    for path in templates.glob("*.toml"):
+        validator.validate(tomllib.loads(path.read_text()))
+
+
+def test_good_yaml(nacre, tmp_path):
+    path = tmp_path / "glass.yml"
+    path.write_text(GLASS_YAML)
+    assert nacre.ok("library", "check", path) == ""
+    assert json.loads(nacre.ok("library", "check", path, "--json")) == {"checked": [str(path)]}
+
+
+BAD_YAML = {
+    "truncated": (GLASS_YAML[: GLASS_YAML.index(" 103.5")], "coefficients"),
+    "broken": ("DATA: [", ""),
+    "empty": ("", "DATA"),
+    "no-data": ("REFERENCES: x\n", "DATA"),
+    "unknown-type": (GLASS_YAML.replace("formula 2", "formula 12"), "formula 12"),
+    "not-a-number": (GLASS_YAML.replace("1.03961212", "one"), "one"),
+    "range": (GLASS_YAML.replace("0.3 2.5", "2.5 0.3"), "wavelength_range"),
+    "table": ("DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.5\n        0.5 1.6 0\n", ""),
+    "table-gain": (
+        "DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.5 0\n        0.5 1.6 -1\n",
+        "-1",
+    ),
+    "table-descends": (
+        "DATA:\n  - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.4 1.6 0\n",
+        "",
+    ),
+    "table-nan": ("DATA:\n  - type: tabulated n\n    data: |\n        0.4 nan\n        0.5 1.6\n", ""),
+}
+
+
+@pytest.mark.parametrize("name", BAD_YAML)
+def test_bad_yaml_names_file_and_what_is_wrong(nacre, tmp_path, name):
+    text, word = BAD_YAML[name]
+    path = tmp_path / "glass.yml"
+    path.write_text(text)
+    errors = nacre.fails("library", "check", path)
+    assert f"nacre library check: {path}" in errors
+    assert word in errors
+
+
+def template(body="", material='id = "x"\nname = "X"\ncategory = "T"\nsource = "s"'):
+    return f"schema = 1\n[material]\n{material}\n{body}"
+
+
+FILM = """\
+[ambient]
+medium = "air"
+[[layer]]
+n = {n}
+k = {k}
+thickness_nm = {thickness}
+[substrate]
+medium = "air"
+"""
+
+
+def film(n="1.33", k="0.0", thickness="400"):
+    return template(FILM.format(n=n, k=k, thickness=thickness))
+
+
+BAD_TEMPLATES = {
+    "truncated": (film()[:100], ""),
+    "syntax": ("schema = = 1", ":1:"),
+    "empty": ("", "schema"),
+    "negative-thickness": (film(thickness="-5"), "thickness_nm"),
+    "nan-thickness": (film(thickness="nan"), "thickness_nm"),
+    "infinite-thickness": (film(thickness="inf"), "thickness_nm"),
+    "zero-index": (film(n="0.0"), ":10: layer[0].n: "),
+    "nan-index": (film(n="nan"), ":10: layer[0].n: "),
+    "gain": (film(k="-0.1"), ":11: layer[0].k: "),
+    "unknown-key": (film() + 'colour = "red"\n', "colour"),
+    "unknown-medium": (film().replace('"air"\n[[', '"aether"\n[['), "aether"),
+    "wrong-type": (film(n='"1.33"'), ":10: layer[0].n: "),
+    "65-layers": (template(FILM.format(n=1.3, k=0, thickness=1).replace(
+        "[substrate]", "[[layer]]\nn = 1.4\nthickness_nm = 1\n" * 64 + "[substrate]")), "64"),
+}
+
+
+@pytest.mark.parametrize("name", BAD_TEMPLATES)
+def test_bad_template_names_file_line_and_field(nacre, tmp_path, name):
+    text, word = BAD_TEMPLATES[name]
+    path = tmp_path / "film.toml"
+    path.write_text(text)
+    errors = nacre.fails("library", "check", path)
+    assert f"nacre library check: {path}" in errors
+    assert word in errors
+
+
+def test_all_errors_of_all_files_at_once(nacre, tmp_path):
+    toml, yaml = tmp_path / "film.toml", tmp_path / "glass.yml"
+    toml.write_text(film(n="-1", k="-2", thickness="-3"))
+    yaml.write_text("")
+    errors = nacre.fails("library", "check", toml, yaml, tmp_path / "missing.toml", tmp_path / "x.txt")
+    assert len(errors.splitlines()) == 6
+
+
+@pytest.mark.parametrize("name", ["missing.yml", "missing.toml", "missing.json"])
+def test_missing_file(nacre, tmp_path, name):
+    errors = nacre.fails("library", "check", tmp_path / name)
+    assert f"{tmp_path / name}: " in errors
