@@ -24,7 +24,8 @@ def soap_table(nacre, templates, tmp_path_factory):
 def exact_colour(nacre, n, d_nm, angle_deg, quantity="R", **options):
     """Linear Rec.709 of a stack without dispersion, from its spectrum at 1 nm."""
     records = [
-        {"n": n, "d_nm": d_nm, "angle_deg": angle_deg, "wavelength_nm": nm, "pol": "u"} for nm in GRID
+        {"n": n, "d_nm": d_nm, "angle_deg": angle_deg, "wavelength_nm": nm, "pol": "u"}
+        for nm in GRID
     ]
     values = [answer[quantity] for answer in nacre.evaluate("stack", records)]
     record = {"wavelength_nm": GRID, "values": values, "kind": "reflectance", **options}
@@ -74,7 +75,10 @@ def test_template_table_says_what_it_is(soap_table):
     stack = attribute(attributes, "stack")
     assert stack["ambient"] == {"medium": "air"}
     assert stack["layer"][0]["thickness_nm"] == {
-        "default": 400.0, "min": 20.0, "max": 1500.0, "varies": True
+        "default": 400.0,
+        "min": 20.0,
+        "max": 1500.0,
+        "varies": True,
     }
     assert attributes["nacre:illuminant"] == "D65"
     assert attributes["nacre:observer"] == "cie1931"

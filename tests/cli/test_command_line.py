@@ -99,7 +99,14 @@ def test_verbose_says_what_was_written(nacre, film_json, tmp_path):
 @pytest.mark.parametrize("quiet", [False, True])
 def test_progress_on_a_terminal(nacre, templates, tmp_path, quiet):
     ours, theirs = pty.openpty()
-    command = [nacre.program, "bake", "stack", templates / "soap_film.toml", "-o", tmp_path / "x.exr"]
+    command = [
+        nacre.program,
+        "bake",
+        "stack",
+        templates / "soap_film.toml",
+        "-o",
+        tmp_path / "x.exr",
+    ]
     process = subprocess.Popen([*command, *(["--quiet"] if quiet else [])], stderr=theirs)
     os.close(theirs)
     text = b""

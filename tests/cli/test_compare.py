@@ -31,7 +31,12 @@ def pair(tmp_path):
         return colour.XYZ_to_Lab(rgb.astype(float) @ matrix.T, space.whitepoint)
 
     expected = colour.delta_E(lab(first), lab(second), method="CIE 2000")
-    return tmp_path / "a.exr", tmp_path / "b.exr", expected, np.sqrt(np.mean((first - second) ** 2.0))
+    return (
+        tmp_path / "a.exr",
+        tmp_path / "b.exr",
+        expected,
+        np.sqrt(np.mean((first - second) ** 2.0)),
+    )
 
 
 def test_figures_agree_with_colour_science(nacre, pair):
@@ -113,7 +118,9 @@ def test_the_space_of_the_files_counts(nacre, pair, tmp_path):
         write(tmp_path / f"a_{name}.exr", pixels_a, colorInteropID=name)
         write(tmp_path / f"b_{name}.exr", pixels_b, colorInteropID=name)
     results = [
-        json.loads(nacre.ok("compare", tmp_path / f"a_{name}.exr", tmp_path / f"b_{name}.exr", "--json"))
+        json.loads(
+            nacre.ok("compare", tmp_path / f"a_{name}.exr", tmp_path / f"b_{name}.exr", "--json")
+        )
         for name in ("lin_rec709_scene", "lin_ap1_scene")
     ]
     assert [result["space"] for result in results] == ["lin_rec709_scene", "lin_ap1_scene"]
@@ -143,10 +150,10 @@ def test_info_of_anything_else_says_so(nacre, pair):
 
 def test_info_survives_attributes_that_are_not_what_they_should_be(nacre, tmp_path):
     path = tmp_path / "odd.exr"
-    write(path, np.zeros((2, 2, 3)), **{"nacre:axes": "[3, {}, {\"unit\": 5}", "nacre:schema": "x"})
+    write(path, np.zeros((2, 2, 3)), **{"nacre:axes": '[3, {}, {"unit": 5}', "nacre:schema": "x"})
     nacre.ok("info", path)
     nacre.ok("info", path, "--json")
-    write(path, np.zeros((2, 2, 3)), **{"nacre:axes": "[3, {}, {\"unit\": 5}]", "nacre:schema": 7})
+    write(path, np.zeros((2, 2, 3)), **{"nacre:axes": '[3, {}, {"unit": 5}]', "nacre:schema": 7})
     assert nacre("info", path).returncode in (0, 1)
     nacre.ok("info", path, "--json")
 

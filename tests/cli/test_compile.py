@@ -124,7 +124,9 @@ def test_two_templates_of_one_id(nacre, film, tmp_path):
     other = tmp_path / "other.toml"
     other.write_text(film.read_text())
     errors = nacre.fails("compile", film, other, "-o", tmp_path / "out")
-    assert f'{other}: material.id: must differ from the other templates\' (got "test_film")' in errors
+    assert (
+        f'{other}: material.id: must differ from the other templates\' (got "test_film")' in errors
+    )
     assert not (tmp_path / "out").exists()
 
 

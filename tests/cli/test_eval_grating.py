@@ -38,7 +38,11 @@ def expected_direction(record, order):
         k - dot(k_in, normal) * n + shift * gi for k, n, gi in zip(k_in, normal, g, strict=True)
     ]
     rest = 1 - dot(tangential, tangential)
-    return None if rest < 0 else [t + math.sqrt(rest) * n for t, n in zip(tangential, normal, strict=True)]
+    return (
+        None
+        if rest < 0
+        else [t + math.sqrt(rest) * n for t, n in zip(tangential, normal, strict=True)]
+    )
 
 
 GEOMETRIES = {

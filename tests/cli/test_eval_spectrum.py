@@ -188,7 +188,10 @@ def test_black_has_no_chromaticity(nacre):
 
 RAMP = {"wavelength_nm": [400, 500, 600], "values": [0, 1, 0], "kind": "emission"}
 BAD = {
-    "sizes": ({"values": [1, 2]}, "values: must have one value for each of the 3 wavelengths (got 2)"),
+    "sizes": (
+        {"values": [1, 2]},
+        "values: must have one value for each of the 3 wavelengths (got 2)",
+    ),
     "descending": ({"wavelength_nm": [400, 600, 500]}, "wavelength_nm[2]: must be > 600 nm"),
     "doubled": ({"wavelength_nm": [400, 400, 500]}, "wavelength_nm[1]: must be > 400 nm"),
     "nan": ({"values": [0, math.nan, 0]}, "values[1]: must be finite (got NaN)"),

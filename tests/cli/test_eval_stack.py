@@ -180,8 +180,14 @@ def test_sixty_four_layers_are_allowed(nacre):
 
 
 BAD = {
-    "negative-thickness": ({"n": [[1, 0], [1.3, 0], [1.5, 0]], "d_nm": [-5]}, "d_nm[0]: must be ≥ 0 (got -5)"),
-    "nan-thickness": ({"n": [[1, 0], [1.3, 0], [1.5, 0]], "d_nm": [math.nan]}, "d_nm[0]: must be ≥ 0 (got NaN)"),
+    "negative-thickness": (
+        {"n": [[1, 0], [1.3, 0], [1.5, 0]], "d_nm": [-5]},
+        "d_nm[0]: must be ≥ 0 (got -5)",
+    ),
+    "nan-thickness": (
+        {"n": [[1, 0], [1.3, 0], [1.5, 0]], "d_nm": [math.nan]},
+        "d_nm[0]: must be ≥ 0 (got NaN)",
+    ),
     "infinite-thickness": (
         {"n": [[1, 0], [1.3, 0], [1.5, 0]], "d_nm": [math.inf]},
         "d_nm[0]: must be ≥ 0 (got Infinity)",
@@ -257,4 +263,6 @@ def test_errors_name_the_line_of_their_record(nacre, tmp_path):
     path = tmp_path / "batch.json"
     records = [json.dumps(record) for record in (GLASS, GLASS, {**GLASS, "wavelength_nm": -3})]
     path.write_text("[\n" + ",\n".join(records) + "\n]\n")
-    assert f"{path}:4: [2].wavelength_nm: must be > 0 (got -3)" in nacre.fails("eval", "stack", path)
+    assert f"{path}:4: [2].wavelength_nm: must be > 0 (got -3)" in nacre.fails(
+        "eval", "stack", path
+    )

@@ -41,7 +41,9 @@ def test_layout(installed, templates):
 def test_every_command_but_render(installed, tmp_path):
     template = installed.program.parents[1] / "share/nacre/templates/soap_film.toml"
     run = {"cwd": tmp_path, "env": {"HOME": str(tmp_path)}}
-    assert json.loads(installed.ok("eval", "spectrum", stdin='{"illuminant": "D65"}', **run))["cct_K"]
+    assert json.loads(installed.ok("eval", "spectrum", stdin='{"illuminant": "D65"}', **run))[
+        "cct_K"
+    ]
     installed.ok("bake", "cmf", "-o", "cmf.exr", **run)
     installed.ok("bake", "stack", template, "--size", "8x8", "-o", "soap.exr", **run)
     installed.ok("compile", template, "--tolerance", "2", "-o", "materials", **run)

@@ -5,10 +5,10 @@
 from __future__ import annotations
 
 import json
+import tomllib
 
 import jsonschema
 import pytest
-import tomllib
 
 GLASS_YAML = """\
 REFERENCES: "SCHOTT, N-BK7"
@@ -95,7 +95,10 @@ BAD_YAML = {
     "unknown-type": (GLASS_YAML.replace("formula 2", "formula 12"), "formula 12"),
     "not-a-number": (GLASS_YAML.replace("1.03961212", "one"), "one"),
     "range": (GLASS_YAML.replace("0.3 2.5", "2.5 0.3"), "wavelength_range"),
-    "table": ("DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.5\n        0.5 1.6 0\n", ""),
+    "table": (
+        "DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.5\n        0.5 1.6 0\n",
+        "",
+    ),
     "table-gain": (
         "DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.5 0\n        0.5 1.6 -1\n",
         "-1",
@@ -104,7 +107,10 @@ BAD_YAML = {
         "DATA:\n  - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.4 1.6 0\n",
         "",
     ),
-    "table-nan": ("DATA:\n  - type: tabulated n\n    data: |\n        0.4 nan\n        0.5 1.6\n", ""),
+    "table-nan": (
+        "DATA:\n  - type: tabulated n\n    data: |\n        0.4 nan\n        0.5 1.6\n",
+        "",
+    ),
 }
 
 
@@ -151,8 +157,14 @@ BAD_TEMPLATES = {
     "unknown-key": (film() + 'colour = "red"\n', "colour"),
     "unknown-medium": (film().replace('"air"\n[[', '"aether"\n[['), "aether"),
     "wrong-type": (film(n='"1.33"'), ":10: layer[0].n: "),
-    "65-layers": (template(FILM.format(n=1.3, k=0, thickness=1).replace(
-        "[substrate]", "[[layer]]\nn = 1.4\nthickness_nm = 1\n" * 64 + "[substrate]")), "64"),
+    "65-layers": (
+        template(
+            FILM.format(n=1.3, k=0, thickness=1).replace(
+                "[substrate]", "[[layer]]\nn = 1.4\nthickness_nm = 1\n" * 64 + "[substrate]"
+            )
+        ),
+        "64",
+    ),
 }
 
 
@@ -170,7 +182,9 @@ def test_all_errors_of_all_files_at_once(nacre, tmp_path):
     toml, yaml = tmp_path / "film.toml", tmp_path / "glass.yml"
     toml.write_text(film(n="-1", k="-2", thickness="-3"))
     yaml.write_text("")
-    errors = nacre.fails("library", "check", toml, yaml, tmp_path / "missing.toml", tmp_path / "x.txt")
+    errors = nacre.fails(
+        "library", "check", toml, yaml, tmp_path / "missing.toml", tmp_path / "x.txt"
+    )
     assert len(errors.splitlines()) == 6
 
 

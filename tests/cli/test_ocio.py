@@ -48,7 +48,9 @@ def test_the_default_space_of_a_config_is_scene_linear(nacre, blender_config):
     assert nacre.evaluate("spectrum", RED, "--config", blender_config)["space"] == "scene_linear"
 
 
-def test_display_spaces_work_for_numbers_but_not_for_tables(nacre, blender_config, film_json, tmp_path):
+def test_display_spaces_work_for_numbers_but_not_for_tables(
+    nacre, blender_config, film_json, tmp_path
+):
     options = ("--config", blender_config, "--space", "sRGB")
     rgb = nacre.evaluate("spectrum", RED, *options)["rgb"]
     linear = nacre.evaluate("spectrum", RED)["rgb"]
@@ -118,7 +120,9 @@ def test_configs_that_cannot_be_used_are_errors_not_fallbacks(nacre, tmp_path, t
 
 
 def test_missing_config(nacre, tmp_path):
-    errors = nacre.fails("eval", "spectrum", "--config", tmp_path / "no.ocio", stdin=json.dumps(RED))
+    errors = nacre.fails(
+        "eval", "spectrum", "--config", tmp_path / "no.ocio", stdin=json.dumps(RED)
+    )
     assert "no.ocio" in errors
 
 

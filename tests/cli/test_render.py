@@ -58,7 +58,9 @@ def render(prefix, tmp_path):
     """Runs `nacre render` of that installation in an environment that holds only what is given."""
 
     def run(*arguments, **environment):
-        base = {key: os.environ[key] for key in ("LD_LIBRARY_PATH", "ASAN_OPTIONS") if key in os.environ}
+        base = {
+            key: os.environ[key] for key in ("LD_LIBRARY_PATH", "ASAN_OPTIONS") if key in os.environ
+        }
         return subprocess.run(
             [prefix / "bin" / "nacre", "render", *map(str, arguments)],
             capture_output=True,
@@ -70,7 +72,16 @@ def render(prefix, tmp_path):
     return run
 
 
-ARGUMENTS = ("--material", "soap_film", "--size", "64x64", "--set", "thickness_nm=300", "-o", "x.exr")
+ARGUMENTS = (
+    "--material",
+    "soap_film",
+    "--size",
+    "64x64",
+    "--set",
+    "thickness_nm=300",
+    "-o",
+    "x.exr",
+)
 
 
 def test_named_python(render, prefix, tmp_path):
@@ -173,7 +184,7 @@ def test_bad_template_starts_nothing(render, tmp_path):
 def test_signals_reach_the_child(prefix, templates, tmp_path):
     child = tmp_path / "python"
     child.write_text(
-        f"#!/bin/sh\n[ \"$1\" = -c ] && exit 0\n"
+        f'#!/bin/sh\n[ "$1" = -c ] && exit 0\n'
         f"trap 'touch {tmp_path}/told; exit 5' TERM\ntouch {tmp_path}/started\n"
         "while :; do sleep 0.05; done\n"
     )

@@ -37,9 +37,15 @@ def commands(film_json, templates, tmp_path):
     return {
         "cmf": (("bake", "cmf", "-o"), tmp_path / "out" / "cmf.exr"),
         "png": (("bake", "cmf", "-o"), tmp_path / "out" / "cmf.png"),
-        "stack": (("bake", "stack", film_json, "--size", "64x64", "-o"), tmp_path / "out" / "f.exr"),
+        "stack": (
+            ("bake", "stack", film_json, "--size", "64x64", "-o"),
+            tmp_path / "out" / "f.exr",
+        ),
         "tx": (("bake", "stack", film_json, "--size", "64x64", "-o"), tmp_path / "out" / "f.tx"),
-        "eval": (("eval", "spectrum", tmp_path / "records.json", "-o"), tmp_path / "out" / "e.json"),
+        "eval": (
+            ("eval", "spectrum", tmp_path / "records.json", "-o"),
+            tmp_path / "out" / "e.json",
+        ),
     }
 
 
@@ -86,13 +92,19 @@ def test_full_disc_leaves_the_old_material(nacre, templates, tmp_path):
     assert result.returncode == 1
     assert "File too large" in result.stderr
     assert [path.name for path in output.iterdir()] == ["tempered_steel"]
-    assert {path.name: path.read_bytes() for path in (output / "tempered_steel").iterdir()} == before
+    assert {
+        path.name: path.read_bytes() for path in (output / "tempered_steel").iterdir()
+    } == before
 
 
 def test_full_standard_output(nacre):
     with open("/dev/full", "w") as full:
         result = subprocess.run(
-            [nacre.program, "library", "list"], stdout=full, stderr=subprocess.PIPE, text=True, check=False
+            [nacre.program, "library", "list"],
+            stdout=full,
+            stderr=subprocess.PIPE,
+            text=True,
+            check=False,
         )
     assert result.returncode == 1
     assert "standard output: cannot be written" in result.stderr
@@ -142,7 +154,10 @@ def test_unwritable_folder(nacre, commands, templates, kind, tmp_path):
         if readable.returncode != 0:
             pytest.skip("nobody may not run the program")
     result = subprocess.run(
-        [*drop, nacre.program, *map(str, arguments), target], capture_output=True, text=True, check=False
+        [*drop, nacre.program, *map(str, arguments), target],
+        capture_output=True,
+        text=True,
+        check=False,
     )
     target.parent.chmod(0o755)
     assert result.returncode == 1
