@@ -18,8 +18,9 @@ from .script import fill_script_node
 SCHEMA_VERSION = 1
 """Of the custom properties below; they live in saved files."""
 
-MATERIAL, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, WAVELENGTHS = (
+MATERIAL, KIND, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, WAVELENGTHS = (
     "nacre_material",
+    "nacre_kind",
     "nacre_form",
     "nacre_schema",
     "nacre_digest",
@@ -61,6 +62,7 @@ def socket_identifiers(group: bpy.types.NodeTree) -> dict[str, str]:
 def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> None:
     group[SCHEMA] = SCHEMA_VERSION
     group[MATERIAL] = material.id
+    group[KIND] = material.kind
     group[FORM] = form
     group[DIGEST] = material.digest
     group[TEMPLATE] = material.template_sha256

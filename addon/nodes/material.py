@@ -91,6 +91,11 @@ def describe(material: bpy.types.Material) -> AssignedMaterial:
     )
 
 
+def kind(material: bpy.types.Material) -> str:
+    """`film`, `grating` or `glass`."""
+    return group_node(material).node_tree.get(groups.KIND, "film")
+
+
 def missing_tables(material: bpy.types.Material) -> tuple[str, ...]:
     nodes = group_node(material).node_tree.nodes
     return tuple(n.label or n.name for n in nodes if n.type == "TEX_IMAGE" and is_missing(n.image))
