@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Orthographic unit sphere that fills a square frame under a uniform white world.
 
-For films and gratings the sphere is a point of radius 1, which Cycles intersects exactly: the cosine at a pixel's centre is
-sqrt(1 - r^2) within 4e-4 at 128 pixels, where a mesh of 512 x 256 faces is off by 1.4e-3.
-Cycles sees a point from outside only: light that passes its front goes on to the world. Glass needs
-its far side, so there the sphere is that mesh.
+For films and gratings the sphere is a point of radius 1, which Cycles intersects exactly: the cosine
+at a pixel's centre is sqrt(1 - r^2) within 4e-4 at 128 pixels, where a mesh of 512 x 256 faces is
+off by 1.4e-3. Cycles sees a point from outside only: light that passes its front goes on to the
+world. Glass needs its far side, so there the sphere is that mesh.
 """
 
 from __future__ import annotations
