@@ -68,7 +68,7 @@ typedef struct nacre_colour {
 } nacre_colour;
 
 /**
- * Colour of a spectrum, 0 outside its samples.
+ * Colour of a spectrum; outside its samples the nearest one holds.
  * @param reflectance  1: reflectance or transmittance under `illuminant`; 0: emission (no
  * illuminant)
  */

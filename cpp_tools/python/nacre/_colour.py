@@ -35,7 +35,8 @@ def spectrum_to_colour(
     Parameters
     ----------
     wavelength_nm, values : float, shape (samples,)
-        Ascending wavelengths in nm; linear in between, 0 outside, summed over 360-830 nm at 1 nm.
+        Ascending wavelengths in nm. In between Sprague's interpolation where six or more stand in
+        equal steps, else linear; outside the nearest sample. Summed over 360-830 nm at 1 nm.
     kind : "reflectance" or "emission"
         Reflectance (or transmittance) is lit by `illuminant` and a perfect white is (1, 1, 1);
         an equal-energy emission of 1 has Y = 1.
