@@ -14,9 +14,10 @@ int main()
     constexpr double wavelength_nm = 550.0, substrate = 2.0;
     const double n =
         nacre::spectral::library_medium("SiO2/Malitson").constants->at(wavelength_nm).real();
-    const nacre::optics::FilmStack stack{.ambient = 1.0,
-                                         .layers = {{.n = n, .thickness_nm = wavelength_nm / 4 / n}},
-                                         .substrate = substrate};
+    const nacre::optics::FilmStack stack{
+        .ambient = 1.0,
+        .layers = {{.n = n, .thickness_nm = wavelength_nm / 4 / n}},
+        .substrate = substrate};
     const auto power = nacre::optics::stack_power_unpolarised(stack, 1.0, wavelength_nm);
 
     const double amplitude = (substrate - n * n) / (substrate + n * n);
