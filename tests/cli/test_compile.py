@@ -113,10 +113,10 @@ def test_one_bad_template_stops_them_all(nacre, film, tmp_path):
     worse = tmp_path / "worse.toml"
     worse.write_text(FILM.format(id="Worse!", thickness="400").replace("n = 1.33", "n = -1"))
     errors = nacre.fails("compile", film, bad, worse, "-o", tmp_path / "out")
-    assert f"nacre compile: {bad}:10: layer[0].thickness_nm: " in errors
+    assert f"nacre compile: {bad}:11: layer[0].thickness_nm: " in errors
     assert "(got -5)" in errors
     assert f"{worse}:3: material.id" in errors
-    assert f"{worse}:9: layer[0].n" in errors
+    assert f"{worse}:10: layer[0].n" in errors
     assert not (tmp_path / "out").exists()
 
 
@@ -133,7 +133,7 @@ def test_two_templates_of_one_id(nacre, film, tmp_path):
 def test_unknown_medium_names_template_and_line(nacre, film, tmp_path):
     film.write_text(film.read_text().replace("n = 1.33", 'medium = "H2O/Nobody"'))
     errors = nacre.fails("compile", film, "-o", tmp_path / "out")
-    assert f"{film}:9: " in errors
+    assert f"{film}:10: " in errors
     assert "H2O/Nobody" in errors
 
 
@@ -160,7 +160,7 @@ def fake_oslc(tmp_path, body):
 
 
 def test_oslc_on_the_path_is_used_by_bare_names(nacre, film, tmp_path):
-    environment = fake_oslc(tmp_path, 'echo "compiled from " > ""')
+    environment = fake_oslc(tmp_path, 'echo "compiled from $3" > "$2"')
     nacre.ok("compile", film, "-o", tmp_path / "out", env=environment)
     oso = tmp_path / "out" / "test_film" / "test_film.oso"
     assert oso.read_text() == "compiled from test_film.osl\n"

@@ -133,6 +133,11 @@ def test_bare_glass_by_hand(nacre):
     assert list(answer) == ["R", "T", "A", "r", "t"]
 
 
+def test_a_plain_number_is_a_clear_medium(nacre):
+    plain, paired = nacre.evaluate("stack", [{**GLASS, "n": [1, 1.5]}, GLASS])
+    assert plain == paired
+
+
 def test_p_amplitude_has_the_opposite_sign_at_normal_incidence(nacre):
     assert nacre.evaluate("stack", {**GLASS, "pol": "p"})["r"] == pytest.approx([0.2, 0.0])
 
@@ -201,7 +206,7 @@ BAD = {
     "negative-index": ({"n": [[-1, 0], [1.5, 0]]}, "n[0][0]: must be > 0 (got -1)"),
     "gain": ({"n": [[1, 0], [1.5, -0.1]]}, "n[1][1]: must be ≥ 0 (got -0.1)"),
     "absorbing-ambient": ({"n": [[1, 0.1], [1.5, 0]]}, "n[0][1]: must be 0 in the ambient"),
-    "not-a-pair": ({"n": [[1, 0], 1.5]}, "n[1]: must be [n, k] (got 1.5)"),
+    "not-a-pair": ({"n": [[1, 0], "1.5"]}, 'n[1]: must be [n, k] (got "1.5")'),
     "one-medium": ({"n": [[1, 0]]}, "n: must list 2 … 66 indices"),
     "65-layers": ({"n": [[1, 0]] * 67, "d_nm": [1] * 65}, "at most 64 layers (got 67)"),
     "angle-90": ({"angle_deg": 90}, "angle_deg: must be in [0, 90) (got 90)"),

@@ -78,7 +78,7 @@ def test_small_disc(nacre, commands, kind):
         (disc / "filler").write_bytes(b"x" * 4096)  # the one page that there is
         result = nacre(*arguments, target)
         assert result.returncode == 1
-        assert "No space left on device" in result.stderr
+        assert "no space left on the disc" in result.stderr
         assert [path.name for path in disc.iterdir()] == ["filler"]
     finally:
         subprocess.run(["umount", str(disc)], check=True)
@@ -161,7 +161,8 @@ def test_unwritable_folder(nacre, commands, templates, kind, tmp_path):
     )
     target.parent.chmod(0o755)
     assert result.returncode == 1
-    assert "Permission denied" in result.stderr
+    assert str(target) in result.stderr or str(target.parent) in result.stderr
+    assert "not writable" in result.stderr or "Permission denied" in result.stderr
     assert list(target.parent.iterdir()) == []
 
 
@@ -220,6 +221,7 @@ def test_interrupted_while_a_child_compiles_shaders(nacre, templates, tmp_path):
 
 def test_output_through_a_link_keeps_the_link(nacre, tmp_path):
     (tmp_path / "real").mkdir()
+    (tmp_path / "real" / "cmf.exr").write_text("old")
     link = tmp_path / "link.exr"
     link.symlink_to(tmp_path / "real" / "cmf.exr")
     nacre.ok("bake", "cmf", "-o", link)

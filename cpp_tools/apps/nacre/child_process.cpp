@@ -95,7 +95,8 @@ int wait_for(pid_t child)
 
 bool is_executable_file(const std::filesystem::path& path)
 {
-    return std::filesystem::is_regular_file(path) && access(path.c_str(), X_OK) == 0;
+    std::error_code unreadable;  // PATH may name folders that this user may not enter
+    return std::filesystem::is_regular_file(path, unreadable) && access(path.c_str(), X_OK) == 0;
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct EvalOptions {
 constexpr const char* kStackHelp = R"(
 record  {"n": [[re, im], …], "d_nm": […], "angle_deg": 30, "wavelength_nm": 550,
          "pol": "s|p|u", "coherence": ["i", "c", …]}
-  n              complex indices from the ambient to the substrate, n > 0, k ≥ 0, k = 0 in the ambient
+  n              indices from the ambient to the substrate, [n, k] or n alone: n > 0, k ≥ 0, and
+                 k = 0 in the ambient
   d_nm           thickness of the 0 … 64 layers between, ≥ 0
   angle_deg      angle of incidence in the ambient, in [0, 90)
   pol            s, p, or u for the mean of both

@@ -16,6 +16,9 @@ using optics::Complex;
 std::optional<Complex> read_index(const json& value, const std::string& field, bool is_ambient,
                                   DiagnosticList& problems)
 {
+    // A plain number is a clear medium.
+    if (value.is_number())
+        return read_index(json::array({value, 0.0}), field, is_ambient, problems);
     if (!value.is_array() || value.size() != 2) {
         problems.add({"", 0, field, fmt::format("must be [n, k] (got {})", quoted(value))});
         return std::nullopt;

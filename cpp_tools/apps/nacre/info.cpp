@@ -56,12 +56,18 @@ std::string readable(const ordered_json& value)
     return value.is_number_float() ? fmt::format("{:.6g}", value.get<double>()) : value.dump();
 }
 
+/// A member of somebody else's JSON; nothing where it is not there.
+std::string member_text(const ordered_json& object, const char* name)
+{
+    const auto found = object.find(name);
+    return found == object.end() ? "?" : readable(*found);
+}
+
 std::string axis_text(const ordered_json& axis)
 {
-    const std::string unit = axis.value("unit", "");
-    return fmt::format("{}, {} … {}{}", axis.value("name", ""),
-                       readable(axis.value("min", ordered_json())),
-                       readable(axis.value("max", ordered_json())), unit == "1" ? "" : " " + unit);
+    const std::string unit = member_text(axis, "unit");
+    return fmt::format("{}, {} … {}{}", member_text(axis, "name"), member_text(axis, "min"),
+                       member_text(axis, "max"), unit == "1" ? "" : " " + unit);
 }
 
 std::string text_of(const ordered_json& description)

@@ -60,13 +60,16 @@ std::string toml_from_json(const json& root, const std::string& file)
 
 MaterialTemplate parse_json_template(const std::string& file)
 {
-    const std::string toml = toml_from_json(parse_json(read_input(file), file).value, file);
+    const json root = parse_json(read_input(file), file).value;
     try {
-        return material::parse_template(toml, file);
+        return material::parse_template(toml_from_json(root, file), file);
     } catch (const InputError& error) {
         // Lines of the intermediate text mean nothing to the user.
         std::vector<Diagnostic> diagnostics(error.diagnostics().begin(), error.diagnostics().end());
-        for (Diagnostic& diagnostic : diagnostics) diagnostic.line = 0;
+        for (Diagnostic& diagnostic : diagnostics) {
+            diagnostic.file = file;
+            diagnostic.line = 0;
+        }
         throw InputError(std::move(diagnostics));
     }
 }
