@@ -169,13 +169,24 @@ def test_unwritable_folder(nacre, commands, templates, kind, tmp_path):
 LONG = ("--size", "2048x2048")
 
 
+def catches(pid, number):
+    """Whether a process has a handler for a signal; see proc(5), SigCgt."""
+    with open(f"/proc/{pid}/status") as status:
+        mask = next(int(line.split()[1], 16) for line in status if line.startswith("SigCgt:"))
+    return bool(mask >> (number - 1) & 1)
+
+
 def start_long_bake(nacre, film_json, target):
     process = subprocess.Popen(
         [nacre.program, "bake", "stack", film_json, *LONG, "-o", target],
         stderr=subprocess.PIPE,
         text=True,
     )
-    time.sleep(0.4)
+    deadline = time.monotonic() + 20
+    while not catches(process.pid, signal.SIGTERM):  # the program loads its libraries before
+        assert time.monotonic() < deadline
+        time.sleep(0.02)
+    time.sleep(0.2)
     assert process.poll() is None, "the bake is over before it can be interrupted"
     return process
 
