@@ -1,0 +1,40 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+from __future__ import annotations
+
+import os
+from pathlib import Path
+
+import pytest
+from harness import ROOT, VERSIONS, Blender
+from report import Report
+
+
+def pytest_addoption(parser):
+    parser.addoption(
+        "--update-refs",
+        action="store_true",
+        help="store new references for cases that are missing or fail; not in CI",
+    )
+
+
+def pytest_configure(config):
+    if config.getoption("--update-refs") and os.environ.get("CI"):
+        raise pytest.UsageError("stored images are refreshed by a person after review, never in CI")
+
+
+@pytest.fixture(scope="session", params=VERSIONS)
+def blender(request, tmp_path_factory) -> Blender:
+    variable = VERSIONS[request.param]
+    python = os.environ.get(variable)
+    if not python:
+        pytest.skip(f"{variable} names no Python with bpy {request.param}")
+    return Blender(request.param, python, tmp_path_factory.mktemp("blender"))
+
+
+@pytest.fixture(scope="session")
+def report():
+    """Failed comparisons, written as a page at the end of the run."""
+    collected = Report(Path(os.environ.get("NACRE_REPORT", ROOT / "build" / "report")))
+    yield collected
+    collected.write()

@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Renders furnace spheres inside Blender; one process for many, see Blender.run.
+
+A job: material, form, values, size, samples, file and `lit`:
+`all` the plain furnace; `reflected` the world is black for light that passed a transparent surface;
+`through_both` it is white only for camera rays that went straight through both walls of the sphere.
+"""
+
+from __future__ import annotations
+
+import importlib
+import json
+import sys
+from pathlib import Path
+
+import bpy
+from worker_support import load_extension
+
+# Enough for what is left inside a sphere of diamond to be nothing.
+BOUNCES = ("max_bounces", "glossy_bounces", "transmission_bounces", "transparent_max_bounces")
+
+
+def light_by_transparent_depth(world: bpy.types.World, depth: int) -> None:
+    """White where the path has crossed exactly `depth` transparent surfaces, black elsewhere."""
+    tree = world.node_tree
+    background = next(node for node in tree.nodes if node.type == "BACKGROUND")
+    path = tree.nodes.new("ShaderNodeLightPath")
+    same = tree.nodes.new("ShaderNodeMath")
+    same.operation = "COMPARE"
+    same.inputs[1].default_value = depth
+    same.inputs[2].default_value = 0.5
+    tree.links.new(path.outputs["Transparent Depth"], same.inputs[0])
+    if depth == 0:
+        tree.links.new(same.outputs[0], background.inputs["Strength"])
+        return
+    straight = tree.nodes.new("ShaderNodeMath")
+    straight.operation = "MULTIPLY"
+    tree.links.new(same.outputs[0], straight.inputs[0])
+    tree.links.new(path.outputs["Is Camera Ray"], straight.inputs[1])
+    tree.links.new(straight.outputs[0], background.inputs["Strength"])
+
+
+def render(package: str, job: dict) -> None:
+    part = {
+        name: importlib.import_module(f"{package}.{name}")
+        for name in ("core.library", "nodes.material", "nodes.scene", "scenes", "output")
+    }
+    compiled = part["core.library"].Library.default().load(job["material"])
+    stage = part["scenes"].build_stage("furnace")
+    scene = stage.scene
+    material = part["nodes.material"].create_material(compiled, job["form"])
+    part["nodes.material"].set_values(material, job["values"])
+    stage.place(material)
+    if job["form"] == "osl":
+        part["nodes.scene"].use_osl(scene)
+        if compiled.wavelength_per_path:
+            part["nodes.scene"].use_wavelengths(scene)
+    if job["lit"] != "all":
+        light_by_transparent_depth(scene.world, 0 if job["lit"] == "reflected" else 2)
+    scene.render.resolution_x = scene.render.resolution_y = job["size"]
+    scene.render.resolution_percentage = 100
+    scene.cycles.samples = job["samples"]
+    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
+    scene.cycles.seed = 0
+    for bounces in BOUNCES:
+        setattr(scene.cycles, bounces, 64)
+    bpy.ops.render.render()
+    part["output"].Writer(scene).save(Path(job["file"]))
+
+
+def main() -> None:
+    package = load_extension()
+    for job in json.loads(Path(sys.argv[1]).read_text()):
+        render(package, job)
+
+
+main()

@@ -1,0 +1,146 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Films on the furnace sphere against the exact spectrum, before any stored picture is believed."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+from harness import delta_e, manifest
+from truth import exact_colours, pixel_cosines
+
+SIZE = 40
+EDGE = 0.01  # of the radius
+DE_MEAN, DE_MAX = 0.03, 0.15
+# A channel this far below 0 is cut by the node form, which then cannot be right.
+IN_GAMUT = -1e-4
+
+FILMS = {
+    "soap_film": (400.0, 930.0),
+    "oil_on_water": (420.0, 1100.0),
+    "tempered_steel": (20.0, 48.0),
+    "anodised_titanium": (52.0, 180.0),
+    "dichroic_mirror": (1.0, 0.83),
+    "jewel_beetle": (1.0, 1.21),
+    "colour_shift_ink": (350.0, 470.0),
+}
+CASES = [(name, value) for name, values in FILMS.items() for value in values]
+
+
+def axis_socket(material: str) -> str:
+    return manifest(material)["tables"][0]["axes"][1]["name"]
+
+
+def transmits(material: str) -> bool:
+    return any(table["quantity"] == "transmittance" for table in manifest(material)["tables"])
+
+
+@lru_cache
+def exact(material: str, value: float):
+    """Pictures of R and T, the pixels to compare."""
+    cosines, counted = pixel_cosines(SIZE, EDGE)
+    # Pixels of equal radius differ in the last bits only.
+    distinct, inverse = np.unique(np.round(cosines[counted], 12), return_inverse=True)
+    colours = exact_colours(material, value, distinct)
+    return {name: rows[inverse] for name, rows in colours.items()}, counted
+
+
+@pytest.fixture(scope="module")
+def furnaces(blender):
+    """Pictures of every case by (material, value, form, lit)."""
+    jobs = [
+        {
+            "material": material,
+            "values": {axis_socket(material): value}
+            | ({"roughness": 0.0} if has_socket(material, "roughness") else {}),
+            "value": value,
+            "form": form,
+            "lit": lit,
+            "size": SIZE,
+            "samples": 4,
+        }
+        for material, value in CASES
+        for form in ("osl", "nodes")
+        for lit in (("reflected", "through_both") if transmits(material) else ("all",))
+    ]
+    pictures = blender.run("furnace_worker.py", jobs)
+    return {
+        (job["material"], job["value"], job["form"], job["lit"]): picture
+        for job, picture in zip(jobs, pictures, strict=True)
+    }
+
+
+def has_socket(material: str, name: str) -> bool:
+    return any(socket["name"] == name for socket in manifest(material)["sockets"])
+
+
+def check(picture: np.ndarray, expected: np.ndarray, record_property) -> None:
+    errors = delta_e(picture, expected)
+    record_property("dE00", f"mean {errors.mean():.4f}, max {errors.max():.4f}")
+    print(f"dE00 mean {errors.mean():.4f}, max {errors.max():.4f} of {errors.size} pixels")
+    assert errors.mean() <= DE_MEAN
+    assert errors.max() <= DE_MAX
+
+
+@pytest.mark.parametrize("form", ["osl", "nodes"])
+@pytest.mark.parametrize(("material", "value"), CASES)
+def test_reflection(furnaces, material, value, form, record_property):
+    colours, counted = exact(material, value)
+    lit = "reflected" if transmits(material) else "all"
+    picture = furnaces[material, value, form, lit][counted]
+    expected = colours["R"]
+    if form == "nodes":
+        inside = expected.min(axis=1) > IN_GAMUT
+        assert inside.any() or material in ("dichroic_mirror", "colour_shift_ink")
+        picture, expected = picture[inside], expected[inside]
+        if not len(picture):
+            return
+    check(picture, expected, record_property)
+
+
+@pytest.mark.parametrize("form", ["osl", "nodes"])
+@pytest.mark.parametrize(
+    ("material", "value"), [case for case in CASES if case[0] in ("soap_film", "dichroic_mirror")]
+)
+def test_transmission(furnaces, material, value, form, record_property):
+    """Straight through both walls: the square of T, channel by channel."""
+    colours, counted = exact(material, value)
+    picture = furnaces[material, value, form, "through_both"][counted]
+    inside = colours["T"].min(axis=1) > IN_GAMUT
+    assert inside.mean() > 0.5
+    check(picture[inside], colours["T"][inside] ** 2, record_property)
+
+
+def test_every_film_is_checked():
+    from harness import materials_folder
+
+    films = {
+        folder.name
+        for folder in materials_folder().iterdir()
+        if (folder / f"{folder.name}.json").is_file() and manifest(folder.name)["kind"] == "film"
+    }
+    assert films == set(FILMS)
+
+
+@pytest.mark.parametrize("material", ["n_bk7", "sf11", "water", "diamond"])
+def test_glass_leaves_a_white_environment_white(blender, material):
+    """Each wavelength's colour is far from white; their mean must not be."""
+    (picture,) = blender.run(
+        "furnace_worker.py",
+        [
+            {
+                "material": material,
+                "values": {},
+                "form": "osl",
+                "lit": "all",
+                "size": 24,
+                "samples": 1024,
+            }
+        ]
+    )
+    _, counted = pixel_cosines(24, 0.05)
+    mean = picture[counted].mean(axis=0)
+    print("mean", mean)
+    assert np.abs(mean - 1.0).max() <= 0.005

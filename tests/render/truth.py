@@ -1,0 +1,100 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""What a pixel of the furnace sphere must be: `nacre eval`, 471 wavelengths, no table.
+
+The stack is read from the template here, apart from the library's own reader, and each index comes
+from `nacre library show`; reflectances become colours by `nacre eval spectrum`.
+"""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from functools import lru_cache
+
+import numpy as np
+from harness import ROOT, nacre
+
+WAVELENGTHS = list(range(360, 831))
+
+
+@lru_cache
+def library_index(key: str) -> tuple[complex, ...]:
+    if key == "air":
+        return (1.0 + 0.0j,) * len(WAVELENGTHS)
+    at = [option for nm in WAVELENGTHS for option in ("--at", nm)]
+    shown = json.loads(nacre("library", "show", key, *at, "--json"))
+    return tuple(complex(row["n"], row["k"]) for row in shown["at"])
+
+
+def index(medium: dict) -> np.ndarray:
+    """n + ik on the grid of a medium as a template writes it."""
+    if "medium" in medium:
+        return np.array(library_index(medium["medium"]))
+    if "cauchy" in medium:
+        um = np.array(WAVELENGTHS) / 1000
+        return sum(c / um ** (2 * i) for i, c in enumerate(medium["cauchy"])) + 0j
+    return np.full(len(WAVELENGTHS), complex(medium["n"], medium.get("k", 0.0)))
+
+
+def layers_of(template: dict) -> list[dict]:
+    layers = []
+    for layer in template["layer"]:
+        layers += layer["group"] * layer["repeat"] if "group" in layer else [layer]
+    return layers
+
+
+def stack_records(material: str, value: float, cosines: np.ndarray) -> list[dict]:
+    """Records of `nacre eval stack`, all wavelengths of the first angle first."""
+    template = tomllib.loads((ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8"))
+    layers = layers_of(template)
+    scale = value if "scale" in template.get("stack", {}) else 1.0
+    indices = [index(m) for m in (template["ambient"], *layers, template["substrate"])]
+    coherent = [layer.get("coherent", True) for layer in layers]
+    thickness = [layer["thickness_nm"] for layer in layers]
+    d_nm = [
+        value if isinstance(d, dict) and d.get("varies") else
+        (d["default"] if isinstance(d, dict) else d) * (scale if together else 1.0)
+        for d, together in zip(thickness, coherent, strict=True)
+    ]  # fmt: skip
+    coherence = ["c" if together else "i" for together in coherent]
+    pairs = np.array(indices).T
+    return [
+        {
+            "n": [[n.real, n.imag] for n in pairs[i]],
+            "d_nm": d_nm,
+            "angle_deg": float(np.degrees(np.arccos(cosine))),
+            "wavelength_nm": nm,
+            "pol": "u",
+            "coherence": coherence,
+        }
+        for cosine in cosines
+        for i, nm in enumerate(WAVELENGTHS)
+    ]
+
+
+def exact_colours(material: str, value: float, cosines: np.ndarray) -> dict[str, np.ndarray]:
+    """Linear Rec. 709 of R and T under D65, each of shape (len(cosines), 3)."""
+    records = stack_records(material, value, cosines)
+    answers = json.loads(nacre("eval", "stack", stdin=json.dumps(records)))
+    colours = {}
+    for name in ("R", "T"):
+        spectra = np.array([answer[name] for answer in answers]).reshape(len(cosines), -1)
+        reflectances = [
+            {"wavelength_nm": WAVELENGTHS, "values": row.tolist(), "kind": "reflectance"}
+            for row in spectra
+        ]
+        answered = json.loads(nacre("eval", "spectrum", stdin=json.dumps(reflectances)))
+        colours[name] = np.array([answer["rgb"] for answer in answered])
+    return colours
+
+
+def pixel_cosines(size: int, edge: float) -> tuple[np.ndarray, np.ndarray]:
+    """Cosines at the pixel centres of the furnace, and which pixels count.
+
+    Within `edge` of the rim the cosine falls so steeply that the pixel filter's own width,
+    a hundredth of a pixel, would be measured.
+    """
+    centre = (np.arange(size) + 0.5) / size * 2 - 1
+    squared = centre[:, None] ** 2 + centre[None, :] ** 2
+    return np.sqrt(np.clip(1 - squared, 0, 1)), squared < (1 - edge) ** 2
