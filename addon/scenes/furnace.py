@@ -20,8 +20,9 @@ from .stage import Stage, place_on
 def build(scene: bpy.types.Scene) -> Stage:
     _add_world(scene)
     _add_camera(scene)
-    scene.cycles.pixel_filter_type = "BOX"
-    scene.cycles.filter_width = 0.01  # the least there is: a pixel samples its centre
+    # The least there is: a pixel samples its centre. (Cycles makes a box one pixel wide, always.)
+    scene.cycles.pixel_filter_type = "BLACKMAN_HARRIS"
+    scene.cycles.filter_width = 0.01
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
     scene.cycles.blur_glossy = 0.0
     # Light that glass keeps inside for long would else be missing from the white.

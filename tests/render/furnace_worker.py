@@ -4,7 +4,8 @@
 
 A job: material, form, values, size, samples, file and `lit`:
 `all` the plain furnace; `reflected` the world is black for light that passed a transparent surface;
-`through_both` it is white only for camera rays that went straight through both walls of the sphere.
+`passed` it is white only for camera rays that went straight through the film. (Cycles meets a point
+sphere from outside only, so that light crosses one wall.)
 """
 
 from __future__ import annotations
@@ -57,7 +58,7 @@ def render(package: str, job: dict) -> None:
         if compiled.wavelength_per_path:
             part["nodes.scene"].use_wavelengths(scene)
     if job["lit"] != "all":
-        light_by_transparent_depth(scene.world, 0 if job["lit"] == "reflected" else 2)
+        light_by_transparent_depth(scene.world, 0 if job["lit"] == "reflected" else 1)
     scene.render.resolution_x = scene.render.resolution_y = job["size"]
     scene.render.resolution_percentage = 100
     scene.cycles.samples = job["samples"]

@@ -59,11 +59,12 @@ def furnaces(blender):
             "form": form,
             "lit": lit,
             "size": SIZE,
-            "samples": 4,
+            # A film that transmits picks one of two ways at random; Sobol points make that 1/N.
+            "samples": 1024 if transmits(material) else 4,
         }
         for material, value in CASES
         for form in ("osl", "nodes")
-        for lit in (("reflected", "through_both") if transmits(material) else ("all",))
+        for lit in (("reflected", "passed") if transmits(material) else ("all",))
     ]
     pictures = blender.run("furnace_worker.py", jobs)
     return {
@@ -105,12 +106,12 @@ def test_reflection(furnaces, material, value, form, record_property):
     ("material", "value"), [case for case in CASES if case[0] in ("soap_film", "dichroic_mirror")]
 )
 def test_transmission(furnaces, material, value, form, record_property):
-    """Straight through both walls: the square of T, channel by channel."""
+    """Straight through the film."""
     colours, counted = exact(material, value)
-    picture = furnaces[material, value, form, "through_both"][counted]
+    picture = furnaces[material, value, form, "passed"][counted]
     inside = colours["T"].min(axis=1) > IN_GAMUT
     assert inside.mean() > 0.5
-    check(picture[inside], colours["T"][inside] ** 2, record_property)
+    check(picture[inside], colours["T"][inside], record_property)
 
 
 def test_every_film_is_checked():

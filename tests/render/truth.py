@@ -34,7 +34,16 @@ def index(medium: dict) -> np.ndarray:
     if "cauchy" in medium:
         um = np.array(WAVELENGTHS) / 1000
         return sum(c / um ** (2 * i) for i, c in enumerate(medium["cauchy"])) + 0j
+    if "abbe" in medium:
+        return cauchy_from_abbe(**medium["abbe"])
     return np.full(len(WAVELENGTHS), complex(medium["n"], medium.get("k", 0.0)))
+
+
+def cauchy_from_abbe(n_d: float, v_d: float) -> np.ndarray:
+    """a + b/λ² with n(587.56 nm) = n_d and (n_d − 1)/(n(486.13 nm) − n(656.27 nm)) = V_d."""
+    b = (n_d - 1) / v_d / (0.48613**-2 - 0.65627**-2)
+    um = np.array(WAVELENGTHS) / 1000
+    return n_d + b * (um**-2 - 0.58756**-2) + 0j
 
 
 def layers_of(template: dict) -> list[dict]:
