@@ -116,7 +116,8 @@ def lab(rgb: np.ndarray) -> np.ndarray:
     linear = relative * (24389 / 27) / 116 + 16 / 116
     f = np.where(relative > 216 / 24389, np.cbrt(relative), linear)
     return np.stack(
-        [116 * f[..., 1] - 16, 500 * (f[..., 0] - f[..., 1]), 200 * (f[..., 1] - f[..., 2])], axis=-1
+        [116 * f[..., 1] - 16, 500 * (f[..., 0] - f[..., 1]), 200 * (f[..., 1] - f[..., 2])],
+        axis=-1,
     )
 
 
@@ -165,9 +166,7 @@ def difference(new: np.ndarray, reference: np.ndarray, limits: Limits) -> Differ
     new_buffer, reference_buffer = (
         oiio.ImageBuf(np.ascontiguousarray(image, dtype=np.float32)) for image in (new, reference)
     )
-    result = oiio.ImageBufAlgo.compare(
-        new_buffer, reference_buffer, limits.fail, limits.fail
-    )
+    result = oiio.ImageBufAlgo.compare(new_buffer, reference_buffer, limits.fail, limits.fail)
     errors = delta_e(new, reference)
     return Difference(
         failing_percent=100.0 * result.nfail / (new.shape[0] * new.shape[1]),

@@ -28,10 +28,16 @@ class Report:
     folder: Path
     rows: list[str] = field(default_factory=list)
 
-    def add(self, name: str, keyword: str, new: np.ndarray, reference: np.ndarray, text: str) -> None:
+    def add(
+        self, name: str, keyword: str, new: np.ndarray, reference: np.ndarray, text: str
+    ) -> None:
         """A failed case; `keyword` is what `./dev refs -k` takes."""
         self.folder.mkdir(parents=True, exist_ok=True)
-        images = {"reference": reference, "new": new, "16 x difference": 16 * np.abs(new - reference)}
+        images = {
+            "reference": reference,
+            "new": new,
+            "16 x difference": 16 * np.abs(new - reference),
+        }
         figures = []
         for label, pixels in images.items():
             file = f"{name}-{label.replace(' ', '')}.png"

@@ -25,7 +25,9 @@ def load(name: str) -> tuple[dict, Limits]:
 
 
 def render(blender: Blender, name: str, case: dict):
-    values = [part for pair in case.get("set", {}).items() for part in ("--set", "%s=%s" % pair)]
+    values = [
+        part for pair in case.get("set", {}).items() for part in ("--set", "{}={}".format(*pair))
+    ]
     return blender.render(
         name, "--material", case["material"], "--stage", case["stage"], "--form", case["form"],
         "--samples", case["samples"], "--size", case["size"], "--seed", 0, *values,

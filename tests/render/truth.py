@@ -53,7 +53,7 @@ def layers_of(template: dict) -> list[dict]:
     return layers
 
 
-def stack_records(material: str, value: float, cosines: np.ndarray) -> list[dict]:
+def stack_records(material: str, value: float | None, cosines: np.ndarray) -> list[dict]:
     """Records of `nacre eval stack`, all wavelengths of the first angle first."""
     template = tomllib.loads((ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8"))
     layers = layers_of(template)
@@ -82,7 +82,7 @@ def stack_records(material: str, value: float, cosines: np.ndarray) -> list[dict
     ]
 
 
-def exact_colours(material: str, value: float, cosines: np.ndarray) -> dict[str, np.ndarray]:
+def exact_colours(material: str, value: float | None, cosines: np.ndarray) -> dict[str, np.ndarray]:
     """Linear Rec. 709 of R and T under D65, each of shape (len(cosines), 3)."""
     records = stack_records(material, value, cosines)
     answers = json.loads(nacre("eval", "stack", stdin=json.dumps(records)))
