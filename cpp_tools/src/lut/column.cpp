@@ -108,14 +108,6 @@ optics::LaneStack varied(const optics::LaneStack& stack, const SpectralBlocks& s
     return result;
 }
 
-void mean_of_polarisations(const optics::BatchResponse& response, Lanes& R, Lanes& T)
-{
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        R[i] = 0.5 * (response.s.R[i] + response.p.R[i]);
-        T[i] = 0.5 * (response.s.T[i] + response.p.T[i]);
-    }
-}
-
 }  // namespace
 
 SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(request.variation)
@@ -127,13 +119,16 @@ SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(requ
 
 Column::Column(const SpectralBlocks& spectral, double cos_theta) : spectral_(&spectral)
 {
-    const bool folds = spectral.variation && spectral.variation->layer && all_coherent(spectral);
+    const bool coherent = all_coherent(spectral);
+    const bool folds = coherent && spectral.variation && spectral.variation->layer;
     for (const SpectralBlocks::Block& block : spectral.blocks) {
         optics::LaneStack stack = block.stack;
         stack.cos_0.fill(std::max(cos_theta, kLeastCosine));
         if (folds)
             blocks_.emplace_back(std::in_place_type<optics::PhaseMap>, stack,
                                  *spectral.variation->layer);
+        else if (coherent)
+            blocks_.emplace_back(std::in_place_type<optics::ScaledStack>, stack);
         else
             blocks_.emplace_back(std::move(stack));
     }
@@ -150,18 +145,18 @@ void Column::rows(std::size_t b, double first, double step, std::span<Lanes> R,
         map->march(start, stride, R, T);
         return;
     }
+    if (const auto* scaled = std::get_if<optics::ScaledStack>(&blocks_[b])) {
+        if (spectral_->variation)
+            scaled->march(first, step, R, T);
+        else
+            scaled->march(1.0, 0.0, R, T);
+        return;
+    }
     const auto& stack = std::get<optics::LaneStack>(blocks_[b]);
-    const bool mixed = !all_coherent(*spectral_);
-    optics::BatchResponse response;
     for (std::size_t row = 0; row < R.size(); ++row) {
         const double value = first + static_cast<double>(row) * step;
-        const optics::LaneStack at = varied(stack, *spectral_, inverse_wavelength, value);
-        if (mixed) {
-            mixed_batch(at, spectral_->coherent, R[row], T[row]);
-        } else {
-            stack_batch(at, response);
-            mean_of_polarisations(response, R[row], T[row]);
-        }
+        mixed_batch(varied(stack, *spectral_, inverse_wavelength, value), spectral_->coherent,
+                    R[row], T[row]);
     }
 }
 

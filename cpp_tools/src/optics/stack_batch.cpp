@@ -275,6 +275,50 @@ NACRE_VECTOR_CLONES void round_trip(const ComplexLanes& q, const Lanes& waves, C
     }
 }
 
+NACRE_VECTOR_CLONES void prepare_layer(ScaledStack::Layer& out, const LaneStack& stack,
+                                       const LaneLayer& layer)
+{
+    const Frame frame{stack.n_0, stack.cos_0};
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const C n = load(layer.n, i), q = frame.q(n, i), n2 = n * n;
+        store(out.q, i, q);
+        store(out.inverse_q, i, lane::reciprocal(q));
+        store(out.n2, i, n2);
+        store(out.inverse_n2, i, lane::reciprocal(n2));
+        out.waves[i] = layer.waves[i];
+    }
+}
+
+/// e^{iδ} of a layer at a factor on its thickness.
+NACRE_VECTOR_CLONES void single_trip(const ScaledStack::Layer& layer, double factor,
+                                     ComplexLanes& out)
+{
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const double waves = factor * layer.waves[i];
+        const double decay = lane::exp_decay(-2.0 * std::numbers::pi * layer.q.im[i] * waves);
+        store(out, i, decay * lane::cis_turns(layer.q.re[i] * waves));
+    }
+}
+
+/// One layer of one row, and its phase on to the next row.
+NACRE_VECTOR_CLONES void march_layer(Fold& fold, const ScaledStack::Layer& layer,
+                                     ComplexLanes& phase, const ComplexLanes& turn)
+{
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const C half_pass = load(phase, i), E = half_pass * half_pass;
+        const C half_sum{0.5 + 0.5 * E.re, 0.5 * E.im}, m{0.5 - 0.5 * E.re, -0.5 * E.im};
+        const C m_times_q = m * load(layer.q, i), m_over_q = m * load(layer.inverse_q, i);
+        step(fold.s, i, half_sum, m_times_q, m_over_q);
+        step(fold.p, i, half_sum, m_times_q * load(layer.inverse_n2, i),
+             m_over_q * load(layer.n2, i));
+        store(fold.passed, i, load(fold.passed, i) * half_pass);
+        store(phase, i, half_pass * load(turn, i));
+    }
+}
+
 }  // namespace
 
 void stack_batch(const LaneStack& stack, BatchResponse& response) noexcept
@@ -307,6 +351,40 @@ void PhaseMap::march(const Lanes& first, const Lanes& step, std::span<Lanes> R,
     round_trip(q_, first, phase);
     round_trip(q_, step, turn);
     for (std::size_t row = 0; row < R.size(); ++row) map_row(s_, p_, phase, turn, R[row], T[row]);
+}
+
+ScaledStack::ScaledStack(const LaneStack& stack)
+    : ends_{.n_0 = stack.n_0,
+            .cos_0 = stack.cos_0,
+            .above = stack.above,
+            .below = stack.below,
+            .layers = {}},
+      layers_(stack.layers.size())
+{
+    for (std::size_t j = 0; j < layers_.size(); ++j)
+        prepare_layer(layers_[j], stack, stack.layers[j]);
+}
+
+void ScaledStack::march(double first, double step, std::span<Lanes> R, std::span<Lanes> T) const
+{
+    std::vector<ComplexLanes> phase(layers_.size()), turn(layers_.size());
+    for (std::size_t j = 0; j < layers_.size(); ++j) {
+        single_trip(layers_[j], first, phase[j]);
+        single_trip(layers_[j], step, turn[j]);
+    }
+    Fold ground, fold;
+    begin_fold(ground, ends_);
+    BatchResponse response;
+    for (std::size_t row = 0; row < R.size(); ++row) {
+        fold = ground;
+        for (std::size_t j = layers_.size(); j-- > 0;)
+            march_layer(fold, layers_[j], phase[j], turn[j]);
+        finish_fold(response, fold, ends_);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            R[row][i] = 0.5 * (response.s.R[i] + response.p.R[i]);
+            T[row][i] = 0.5 * (response.s.T[i] + response.p.T[i]);
+        }
+    }
 }
 
 }  // namespace nacre::optics

@@ -82,4 +82,24 @@ private:
     ComplexLanes q_;
 };
 
+/// Reflectance and transmittance as a function of a factor on every thickness. Indices, admittances
+/// and the phases of one step are worked out once; a row then costs only the recursion.
+class ScaledStack {
+public:
+    explicit ScaledStack(const LaneStack& stack);
+
+    /// Mean of s and p at the factors first, first + step, …
+    /// @pre R.size() == T.size(), first ≥ 0, step ≥ 0
+    void march(double first, double step, std::span<Lanes> R, std::span<Lanes> T) const;
+
+    struct Layer {
+        ComplexLanes q, inverse_q, n2, inverse_n2;
+        Lanes waves;
+    };
+
+private:
+    LaneStack ends_;  ///< without its layers
+    std::vector<Layer> layers_;
+};
+
 }  // namespace nacre::optics
