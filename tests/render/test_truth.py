@@ -13,8 +13,8 @@ from truth import exact_colours, pixel_cosines
 
 EDGE = 0.01  # of the radius
 # A film that transmits picks one of two ways at random; the error of Sobol points falls like 1/N.
-OPAQUE = {"size": 40, "samples": 64}
-TRANSMITTING = {"size": 24, "samples": 4096}
+OPAQUE = {"size": 40, "samples": 256}
+TRANSMITTING = {"size": 20, "samples": 8192}
 DE_MEAN, DE_MAX = 0.03, 0.15
 # A channel this far below 0 is cut by the node form, which then cannot be right.
 IN_GAMUT = -1e-4
