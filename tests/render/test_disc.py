@@ -5,11 +5,12 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from harness import manifest, nacre
+from harness import ROOT, manifest, nacre
 
 HEIGHT = 128
 WAVELENGTHS = np.arange(380.0, 761.0)
@@ -66,6 +67,21 @@ def colour_of_lines() -> np.ndarray:
     return np.array([answer["rgb"] for answer in answers])
 
 
+def first_order_strength(y: np.ndarray, set_up: SetUp, wavelengths: np.ndarray) -> np.ndarray:
+    """1 − cos φ of rectangular grooves, φ = 2π n h (cos θ_i' + cos θ_o') / λ inside the cover."""
+    template = tomllib.loads((ROOT / "osl" / "templates" / "cd.toml").read_text("utf-8"))["grating"]
+    cover = template["cover"]["sellmeier"]
+    squared = 1 + sum(
+        b / (1 - c / (wavelengths / 1000) ** 2) for b, c in zip(cover["b"], cover["c"], strict=True)
+    )
+    cosines = 0.0
+    for other in (set_up.eye, set_up.lamp):
+        towards = unit(np.stack([other[0] - y, np.full_like(y, other[1])], axis=-1))
+        cosines = cosines + np.sqrt(1 - towards[:, 0] ** 2 / squared)
+    phase = 2 * np.pi * np.sqrt(squared) * template["depth_nm"] * cosines / wavelengths
+    return 1 - np.cos(phase)
+
+
 def predicted(y: np.ndarray, set_up: SetUp, material: dict) -> np.ndarray:
     """Channel values along the column up to a factor that varies slowly: the colour of the one
     wavelength that reaches the eye times the efficiency of the order at it."""
@@ -73,7 +89,7 @@ def predicted(y: np.ndarray, set_up: SetUp, material: dict) -> np.ndarray:
     wavelengths = wavelength_at(y, set_up, grating["pitch_nm"])
     colours = colour_of_lines()
     columns = [np.interp(wavelengths, WAVELENGTHS, colours[:, c], 0.0, 0.0) for c in range(3)]
-    return np.stack(columns, axis=-1)
+    return np.stack(columns, axis=-1) * first_order_strength(y, set_up, wavelengths)[:, None]
 
 
 def peak(values: np.ndarray) -> float:
