@@ -162,7 +162,10 @@ class Difference:
 
 
 def difference(new: np.ndarray, reference: np.ndarray, limits: Limits) -> Difference:
-    """OpenImageIO's comparison (what idiff prints) and ΔE00."""
+    """OpenImageIO's comparison (what idiff prints) and ΔE00. What is brighter than white counts
+    relative to its brightness: a highlight of 100 has steps of 0.06 in a stored half."""
+    scale = 1 / np.maximum(1.0, np.abs(reference))
+    new, reference = new * scale, reference * scale
     new_buffer, reference_buffer = (
         oiio.ImageBuf(np.ascontiguousarray(image, dtype=np.float32)) for image in (new, reference)
     )
