@@ -40,7 +40,9 @@ def check(entry: dict[str, str], build: Path, passed: Path) -> str | None:
     stamp = passed / hashlib.sha256(config + preprocess(entry)).hexdigest()
     if stamp.exists():
         return None
-    command = [CLANG_TIDY, "--quiet", "-p", str(build), entry["file"]]
+    # The build's compiler is GCC, whose warnings and pragmas clang does not all know.
+    unknown = [f"--extra-arg=-Wno-unknown-{what}" for what in ("warning-option", "pragmas")]
+    command = [CLANG_TIDY, "--quiet", *unknown, "-p", str(build), entry["file"]]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     if result.returncode == 0:
         stamp.touch()
