@@ -8,7 +8,7 @@
 
 #include "nacre/spectral/colour.h"
 
-namespace CLI {
+namespace CLI {  // NOLINT(readability-identifier-naming): not ours
 class App;
 }
 

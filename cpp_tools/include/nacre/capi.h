@@ -26,6 +26,7 @@
 /** Wavelengths of every table: 360 ... 830 nm, every 1 nm. */
 #define NACRE_WAVELENGTHS 471
 
+/* C names are lower case with a prefix. NOLINTBEGIN(readability-identifier-naming) */
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -152,3 +153,5 @@ NACRE_API nacre_status nacre_library_index(const char* key, size_t count,
 #endif
 
 #endif
+
+/* NOLINTEND(readability-identifier-naming) */

@@ -23,7 +23,7 @@ namespace {
 lut::IndexOnGrid index_on_grid(const nacre_film& film, std::size_t j)
 {
     lut::IndexOnGrid n;
-    const double* pairs = film.n + 2 * NACRE_WAVELENGTHS * j;
+    const double* pairs = film.n + 2 * n.size() * j;
     for (std::size_t i = 0; i < n.size(); ++i) n[i] = {pairs[2 * i], pairs[2 * i + 1]};
     return n;
 }

@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json number(Json bounds, const char* description)
+Json number(const Json& bounds, const char* description)
 {
     Json result{{"type", "number"}, {"description", description}};
     result.update(bounds);
@@ -69,7 +69,7 @@ Json exactly_one_medium()
 }
 
 /// A table that holds a medium, with more keys beside it.
-Json medium_object(Json more, Json required)
+Json medium_object(const Json& more, Json required)
 {
     Json properties = medium_properties();
     properties.update(more);
