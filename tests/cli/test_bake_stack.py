@@ -94,7 +94,9 @@ def test_template_table_says_what_it_is(soap_table):
 def test_the_thinnest_film_is_nearly_black(nacre, soap_table):
     """Row 0, cosθ = 1: 20 nm of water in air, from the optical constants of the library."""
     entry = json.loads(
-        nacre.ok("library", "show", "water/Daimon-20C", "--json", *[w for x in GRID for w in ("--at", x)])
+        nacre.ok(
+            "library", "show", "water/Daimon-20C", "--json", *[w for x in GRID for w in ("--at", x)]
+        )
     )
     records = [
         {
