@@ -11,10 +11,10 @@ import pytest
 from harness import delta_e, manifest
 from truth import exact_colours, pixel_cosines
 
-EDGE = 0.01  # of the radius
-# A film that transmits picks one of two ways at random; the error of Sobol points falls like 1/N.
-OPAQUE = {"size": 40, "samples": 256}
-TRANSMITTING = {"size": 20, "samples": 8192}
+# The first sample of a pixel lies at its centre, and one is enough where there is one way to go. A
+# film that transmits picks one of two ways at random; the error of Sobol points falls like 1/N.
+OPAQUE = {"size": 40, "samples": 1}
+TRANSMITTING = {"size": 16, "samples": 16384}
 DE_MEAN, DE_MAX = 0.03, 0.15
 # A channel this far below 0 is cut by the node form, which then cannot be right.
 IN_GAMUT = -1e-4
@@ -51,7 +51,7 @@ def sampling(material: str) -> dict[str, int]:
 @lru_cache
 def exact(material: str, value: float | None):
     """Pictures of R and T, the pixels to compare."""
-    cosines, counted = pixel_cosines(sampling(material)["size"], EDGE)
+    cosines, counted = pixel_cosines(sampling(material)["size"])
     # Pixels of equal radius differ in the last bits only.
     distinct, inverse = np.unique(np.round(cosines[counted], 12), return_inverse=True)
     colours = exact_colours(material, value, distinct)
@@ -110,12 +110,11 @@ def test_reflection(furnaces, material, value, form, record_property):
     ("material", "value"), [case for case in CASES if case[0] in ("soap_film", "dichroic_mirror")]
 )
 def test_transmission(furnaces, material, value, form, record_property):
-    """Straight through the film."""
+    """Straight through the film. Cycles cuts negative weights of every closure but the transparent
+    one, so that colours outside the gamut pass in both forms."""
     colours, counted = exact(material, value)
-    picture = furnaces[material, value, form, "passed"][counted]
-    inside = colours["T"].min(axis=1) > IN_GAMUT
-    assert inside.mean() > 0.5
-    check(picture[inside], colours["T"][inside], record_property)
+    assert material != "dichroic_mirror" or colours["T"].min() < -0.05
+    check(furnaces[material, value, form, "passed"][counted], colours["T"], record_property)
 
 
 def test_every_film_is_checked():

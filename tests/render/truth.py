@@ -98,12 +98,9 @@ def exact_colours(material: str, value: float | None, cosines: np.ndarray) -> di
     return colours
 
 
-def pixel_cosines(size: int, edge: float) -> tuple[np.ndarray, np.ndarray]:
-    """Cosines at the pixel centres of the furnace, and which pixels count.
-
-    Within `edge` of the rim the cosine falls so steeply that the pixel filter's own width,
-    a hundredth of a pixel, would be measured.
-    """
+def pixel_cosines(size: int, edge: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+    """Cosines at the pixel centres of the furnace, and which pixels count: those whose centre lies on
+    the sphere, or further inside than `edge`, a share of the radius."""
     centre = (np.arange(size) + 0.5) / size * 2 - 1
     squared = centre[:, None] ** 2 + centre[None, :] ** 2
     return np.sqrt(np.clip(1 - squared, 0, 1)), squared < (1 - edge) ** 2
