@@ -50,6 +50,10 @@ nacre_status nacre_library_index(const char* key, size_t count, const double* wa
 {
     return nacre::capi::guarded([&] {
         nacre::capi::require(key, "key");
+        if (count > 0) {
+            nacre::capi::require(wavelength_nm, "wavelength_nm");
+            nacre::capi::require(n, "n");
+        }
         const nacre::spectral::Medium& found = nacre::spectral::library_medium(key);
         std::vector<std::complex<double>> values;
         for (size_t i = 0; i < count; ++i) values.push_back(found.constants->at(wavelength_nm[i]));

@@ -76,7 +76,7 @@ void check(const Grating& grating, const Direction& k_in, double wavelength_nm, 
     require(std::isfinite(wavelength_nm) && wavelength_nm > 0.0, "wavelength_nm",
             "must be finite and > 0");
     require(std::isfinite(pitch) && pitch > 0.0, "pitch_nm", "must be finite and > 0");
-    require(!(pitch > kMaxPitchInWavelengths * wavelength_nm), "pitch_nm",
+    require(!(wavelength_nm > 0.0 && pitch > kMaxPitchInWavelengths * wavelength_nm), "pitch_nm",
             "must be at most 10000 wavelengths");
     require(is_direction(grating.normal), "normal", "must be finite and not zero");
     require(is_direction(grating.grating_vector), "grating_vector", "must be finite and not zero");

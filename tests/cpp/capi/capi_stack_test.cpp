@@ -1,0 +1,262 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "nacre/capi.h"
+
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Arguments of nacre_stack for `count` copies of one film on glass.
+struct Call {
+    explicit Call(std::size_t copies = 1) : count(copies)
+    {
+        for (std::size_t i = 0; i < count; ++i) {
+            n.insert(n.end(), {1.0, 0.0, 2.1, 0.02, 1.5, 0.0});
+            d_nm.push_back(240.0 + static_cast<double>(i));
+            angle.push_back(65.0 - 0.01 * static_cast<double>(i));
+            wavelength.push_back(550.0);
+        }
+        power.assign(3 * count, -7.0);
+        amplitudes.assign(4 * count, -7.0);
+    }
+    nacre_status operator()()
+    {
+        return nacre_stack(count, layers, n.data(), d_nm.data(), angle.data(), wavelength.data(),
+                           coherent, polarisation, power.data(),
+                           wants_amplitudes ? amplitudes.data() : nullptr);
+    }
+    std::size_t count, layers = 1;
+    std::vector<double> n, d_nm, angle, wavelength, power, amplitudes;
+    const unsigned char* coherent = nullptr;
+    nacre_polarisation polarisation = NACRE_S;
+    bool wants_amplitudes = true;
+};
+
+TEST(CapiStack, BareGlassByHand)
+{
+    const double n[] = {1.0, 0.0, 1.5, 0.0}, angle = 0.0, wavelength = 550.0;
+    double power[3], amplitudes[4];
+    ASSERT_EQ(
+        nacre_stack(1, 0, n, nullptr, &angle, &wavelength, nullptr, NACRE_P, power, amplitudes),
+        NACRE_OK);
+    EXPECT_NEAR(power[0], 0.04, 1e-15);
+    EXPECT_NEAR(power[1], 0.96, 1e-15);
+    EXPECT_NEAR(power[2], 0.0, 1e-15);
+    EXPECT_NEAR(amplitudes[0], 0.2, 1e-15);  // r_p = −r_s
+    EXPECT_NEAR(amplitudes[2], 0.8, 1e-15);
+    EXPECT_EQ(std::abs(amplitudes[1]) + std::abs(amplitudes[3]), 0.0);
+}
+
+TEST(CapiStack, UnpolarisedIsTheMean)
+{
+    Call s(40), p(40), u(40);
+    p.polarisation = NACRE_P;
+    u.polarisation = NACRE_UNPOLARISED;
+    u.wants_amplitudes = false;
+    ASSERT_EQ(s(), NACRE_OK);
+    ASSERT_EQ(p(), NACRE_OK);
+    ASSERT_EQ(u(), NACRE_OK);
+    for (std::size_t i = 0; i < u.power.size(); ++i)
+        EXPECT_NEAR(u.power[i], 0.5 * (s.power[i] + p.power[i]), 1e-15);
+}
+
+// A layer is incoherent where its flag is 0; a window then keeps 2R/(1 + R).
+TEST(CapiStack, FlagsMakeLayersIncoherent)
+{
+    const double n[] = {1.0, 0.0, 1.5, 0.0, 1.0, 0.0}, d_nm = 1e6, angle = 0.0, nm = 550.0;
+    const unsigned char coherent = 1, incoherent = 0;
+    double window[3], film[3], none[3];
+    ASSERT_EQ(
+        nacre_stack(1, 1, n, &d_nm, &angle, &nm, &incoherent, NACRE_UNPOLARISED, window, nullptr),
+        NACRE_OK);
+    ASSERT_EQ(nacre_stack(1, 1, n, &d_nm, &angle, &nm, &coherent, NACRE_UNPOLARISED, film, nullptr),
+              NACRE_OK);
+    ASSERT_EQ(nacre_stack(1, 1, n, &d_nm, &angle, &nm, nullptr, NACRE_UNPOLARISED, none, nullptr),
+              NACRE_OK);
+    EXPECT_NEAR(window[0], 0.08 / 1.04, 1e-15);
+    EXPECT_EQ(film[0], none[0]);
+    EXPECT_NE(film[0], window[0]);
+}
+
+// Neighbours, batch sizes and places in a batch leave no trace, also where an item is computed in
+// extended precision (here the 5th of every 7, at a film's critical angle).
+TEST(CapiStack, AnItemDoesNotDependOnItsBatch)
+{
+    constexpr std::size_t kMost = 200;
+    Call all(kMost);
+    for (std::size_t i = 4; i < kMost; i += 7) {
+        all.n[6 * i] = 1.25;
+        all.n[6 * i + 2] = 0.75;
+        all.n[6 * i + 3] = 0.0;
+        all.angle[i] = std::acos(0.8) * 180.0 / M_PI;
+    }
+    ASSERT_EQ(all(), NACRE_OK);
+    for (const std::size_t count : {1, 2, 31, 32, 33, 63, 64, 65, 127, 199}) {
+        const std::size_t first = kMost - count;
+        std::vector<double> power(3 * count), amplitudes(4 * count);
+        ASSERT_EQ(
+            nacre_stack(count, 1, &all.n[6 * first], &all.d_nm[first], &all.angle[first],
+                        &all.wavelength[first], nullptr, NACRE_S, power.data(), amplitudes.data()),
+            NACRE_OK);
+        EXPECT_EQ(std::memcmp(power.data(), &all.power[3 * first], 24 * count), 0) << count;
+        EXPECT_EQ(std::memcmp(amplitudes.data(), &all.amplitudes[4 * first], 32 * count), 0);
+    }
+}
+
+TEST(CapiStack, NoItemsAreNoError)
+{
+    EXPECT_EQ(
+        nacre_stack(0, 3, nullptr, nullptr, nullptr, nullptr, nullptr, NACRE_S, nullptr, nullptr),
+        NACRE_OK);
+}
+
+void expect_refused(Call& call, const std::string& message)
+{
+    EXPECT_EQ(call(), NACRE_INPUT) << message;
+    EXPECT_EQ(nacre_last_error(), message);
+    for (const double value : call.power) EXPECT_EQ(value, -7.0) << message;
+    for (const double value : call.amplitudes) EXPECT_EQ(value, -7.0) << message;
+}
+
+TEST(CapiStack, RefusesBadNumbersAndLeavesTheOutputsAlone)
+{
+    struct Bad {
+        std::vector<double> Call::*array;
+        std::size_t at;
+        double value;
+        const char* message;
+    };
+    const Bad cases[] = {
+        {&Call::d_nm, 37, -5.0, "d_nm[0]: must be finite and ≥ 0 (got -5) (item 37)"},
+        {&Call::d_nm, 0, kNan, "d_nm[0]: must be finite and ≥ 0 (got nan) (item 0)"},
+        {&Call::d_nm, 0, kInfinity, "d_nm[0]: must be finite and ≥ 0 (got inf) (item 0)"},
+        {&Call::n, 2, 0.0, "n[1]: real part must be > 0 (got 0+0.02i) (item 0)"},
+        {&Call::n, 2, -1.3, "n[1]: real part must be > 0 (got -1.3+0.02i) (item 0)"},
+        {&Call::n, 6 * 39 + 4, kNan, "n[2]: must be finite (got nan+0i) (item 39)"},
+        {&Call::n, 3, -0.02,
+         "n[1]: imaginary part must be ≥ 0 (media with gain are not supported) (got 2.1-0.02i) "
+         "(item 0)"},
+        {&Call::n, 1, 0.1,
+         "n[0]: the ambient must not absorb (imaginary part 0) (got 1+0.1i) (item 0)"},
+        {&Call::angle, 0, 90.0, "angle_deg: must be in [0, 90) (got 90) (item 0)"},
+        {&Call::angle, 33, -1.0, "angle_deg: must be in [0, 90) (got -1) (item 33)"},
+        {&Call::angle, 0, kNan, "angle_deg: must be in [0, 90) (got nan) (item 0)"},
+        {&Call::wavelength, 0, 0.0, "wavelength_nm: must be finite and > 0 (got 0) (item 0)"},
+        {&Call::wavelength, 0, kInfinity,
+         "wavelength_nm: must be finite and > 0 (got inf) (item 0)"},
+    };
+    for (const Bad& bad : cases) {
+        Call call(40);
+        (call.*bad.array)[bad.at] = bad.value;
+        expect_refused(call, bad.message);
+    }
+}
+
+TEST(CapiStack, RefusesAmplitudesThatDoNotExist)
+{
+    Call unpolarised;
+    unpolarised.polarisation = NACRE_UNPOLARISED;
+    expect_refused(unpolarised, "amplitudes: exist for s or p and coherent layers only");
+    Call mixed;
+    const unsigned char incoherent = 0;
+    mixed.coherent = &incoherent;
+    expect_refused(mixed, "amplitudes: exist for s or p and coherent layers only");
+}
+
+TEST(CapiStack, RefusesUnknownPolarisations)
+{
+    Call call;
+    const int unknown = 3;
+    std::memcpy(&call.polarisation, &unknown, sizeof unknown);
+    expect_refused(call, "polarisation: must be s, p or u");
+}
+
+TEST(CapiStack, RefusesTooManyLayers)
+{
+    Call call;
+    call.layers = 65;
+    call.n.assign(2 * 67, 1.0);
+    call.d_nm.assign(65, 1.0);
+    expect_refused(call, "d_nm: must have at most 64 layers (got 65)");
+    call.layers = std::numeric_limits<std::size_t>::max();
+    EXPECT_EQ(call(), NACRE_INPUT);
+}
+
+TEST(CapiStack, RefusesNull)
+{
+    Call c;
+    double* power = c.power.data();
+    const double *n = c.n.data(), *d = c.d_nm.data(), *a = c.angle.data(), *w = c.wavelength.data();
+    const auto error = [](nacre_status status) {
+        EXPECT_EQ(status, NACRE_INPUT);
+        return std::string(nacre_last_error());
+    };
+    const auto s = NACRE_S;
+    EXPECT_EQ(error(nacre_stack(1, 1, nullptr, d, a, w, nullptr, s, power, nullptr)),
+              "n: must not be null");
+    EXPECT_EQ(error(nacre_stack(1, 1, n, nullptr, a, w, nullptr, s, power, nullptr)),
+              "d_nm: must not be null");
+    EXPECT_EQ(error(nacre_stack(1, 1, n, d, nullptr, w, nullptr, s, power, nullptr)),
+              "angle_deg: must not be null");
+    EXPECT_EQ(error(nacre_stack(1, 1, n, d, a, nullptr, nullptr, s, power, nullptr)),
+              "wavelength_nm: must not be null");
+    EXPECT_EQ(error(nacre_stack(1, 1, n, d, a, w, nullptr, s, nullptr, nullptr)),
+              "power: must not be null");
+}
+
+TEST(CapiStack, ErrorsBelongToTheirThread)
+{
+    Call here;
+    here.angle[0] = 91.0;
+    ASSERT_EQ(here(), NACRE_INPUT);
+    const std::string message = nacre_last_error();
+    std::vector<std::string> found(4);
+    std::vector<std::thread> threads;
+    for (std::size_t i = 0; i < found.size(); ++i)
+        threads.emplace_back([i, &found] {
+            EXPECT_STREQ(nacre_last_error(), "");  // nothing failed here yet
+            for (int turn = 0; turn < 200; ++turn) {
+                Call there;
+                there.d_nm[0] = -1.0 - static_cast<double>(i);
+                EXPECT_EQ(there(), NACRE_INPUT);
+                found[i] = nacre_last_error();
+                Call good;
+                EXPECT_EQ(good(), NACRE_OK);
+                EXPECT_EQ(nacre_last_error(), found[i]);  // a success does not wipe it out
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    for (std::size_t i = 0; i < found.size(); ++i)
+        EXPECT_EQ(found[i],
+                  "d_nm[0]: must be finite and ≥ 0 (got -" + std::to_string(i + 1) + ") (item 0)");
+    EXPECT_EQ(nacre_last_error(), message);
+}
+
+TEST(CapiStack, ThreadsGetTheSameBits)
+{
+    Call expected(500);
+    ASSERT_EQ(expected(), NACRE_OK);
+    std::vector<Call> calls(4, Call(500));
+    std::vector<std::thread> threads;
+    for (Call& call : calls)
+        threads.emplace_back([&call] {
+            for (int turn = 0; turn < 20; ++turn) EXPECT_EQ(call(), NACRE_OK);
+        });
+    for (std::thread& thread : threads) thread.join();
+    for (const Call& call : calls) {
+        EXPECT_EQ(call.power, expected.power);
+        EXPECT_EQ(call.amplitudes, expected.amplitudes);
+    }
+}
+
+}  // namespace

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/lut/table.h"
+
+#include <gtest/gtest.h>
+
+namespace nacre::lut {
+namespace {
+
+TEST(Axis, EdgeTexelsHoldTheEnds)
+{
+    for (const int texels : {2, 3, 49, 4096}) {
+        const Axis axis{"thickness_nm", "nm", 0.1, 733.3, texels};
+        EXPECT_EQ(axis.at(0), 0.1);
+        EXPECT_EQ(axis.at(texels - 1), 733.3);
+    }
+}
+
+TEST(Axis, IsLinearAndAscends)
+{
+    const Axis axis{"cos_theta", "1", 0.0, 1.0, 65};
+    for (int i = 0; i < 65; ++i) EXPECT_EQ(axis.at(i), i / 64.0);
+    const Axis odd{"thickness_nm", "nm", 20.0, 1500.0, 1000};
+    for (int i = 1; i < 1000; ++i) {
+        EXPECT_GT(odd.at(i), odd.at(i - 1));
+        EXPECT_NEAR(odd.at(i) - odd.at(i - 1), 1480.0 / 999.0, 1e-12);
+    }
+}
+
+TEST(Axis, OfOneTexelHoldsItsMinimum)
+{
+    EXPECT_EQ((Axis{"thickness_nm", "nm", 3.0, 9.0, 1}.at(0)), 3.0);
+}
+
+}  // namespace
+}  // namespace nacre::lut

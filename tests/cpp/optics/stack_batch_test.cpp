@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/optics/stack_batch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <random>
+
+#include "nacre/optics/multilayer.h"
+
+namespace nacre::optics {
+namespace {
+
+struct Lane {
+    FilmStack stack;
+    double cosine, nm;
+};
+
+void set(ComplexLanes& lanes, std::size_t i, Complex value)
+{
+    lanes.re[i] = value.real();
+    lanes.im[i] = value.imag();
+}
+
+LaneStack pack(const std::vector<Lane>& lanes)
+{
+    LaneStack packed;
+    packed.layers.resize(lanes.front().stack.layers.size());
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const auto& [stack, cosine, nm] = lanes[i];
+        packed.n_0[i] = stack.ambient.real();
+        packed.cos_0[i] = cosine;
+        set(packed.above, i, stack.ambient);
+        set(packed.below, i, stack.substrate);
+        for (std::size_t j = 0; j < packed.layers.size(); ++j) {
+            set(packed.layers[j].n, i, stack.layers[j].n);
+            packed.layers[j].waves[i] = stack.layers[j].thickness_nm / nm;
+        }
+    }
+    return packed;
+}
+
+/// Unlike stacks of one depth: clear films, weak absorbers and metals side by side.
+class Random {
+public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+
+    double operator()(double low, double high)
+    {
+        return low + (high - low) * static_cast<double>(engine_()) / 4294967296.0;
+    }
+    Complex index()
+    {
+        const double kind = (*this)(0.0, 1.0);
+        if (kind < 0.5) return (*this)(1.2, 2.8);
+        if (kind < 0.8) return {(*this)(1.2, 2.8), (*this)(0.0, 0.1)};
+        return {(*this)(0.05, 4.0), (*this)(0.5, 7.0)};
+    }
+    std::vector<Lane> lanes(std::size_t layers, double thickest_nm)
+    {
+        std::vector<Lane> result;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            Lane lane{
+                {(*this)(1.0, 1.6), {}, index()}, (*this)(0.0017, 1.0), (*this)(360.0, 830.0)};
+            for (std::size_t j = 0; j < layers; ++j)
+                lane.stack.layers.push_back({index(), (*this)(0.0, thickest_nm)});
+            result.push_back(std::move(lane));
+        }
+        return result;
+    }
+
+private:
+    std::mt19937 engine_;
+};
+
+struct Difference {
+    double power = 0.0, amplitude = 0.0;
+};
+
+/// How far a lane is from the exact response, t relative to what it can at most be.
+Difference difference(const Lane& lane, Polarisation polarisation, const LaneResponse& response,
+                      std::size_t i)
+{
+    const auto [r, t] = stack_amplitudes(lane.stack, lane.cosine, lane.nm, polarisation);
+    const PowerRatios power = stack_power(lane.stack, lane.cosine, lane.nm, polarisation);
+    const Complex ours_r(response.r.re[i], response.r.im[i]),
+        ours_t(response.t.re[i], response.t.im[i]);
+    return {std::max(std::abs(response.R[i] - power.R), std::abs(response.T[i] - power.T)),
+            std::max(std::abs(ours_r - r), std::abs(ours_t - t) / std::max(1.0, std::abs(t)))};
+}
+
+void expect_promised_accuracy(const std::vector<Lane>& lanes)
+{
+    BatchResponse response;
+    stack_batch(pack(lanes), response);
+    const double layers = static_cast<double>(lanes.front().stack.layers.size());
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const double allowed = 1e-13 * std::max(1.0, layers) + response.doubt[i];
+        for (const Polarisation polarisation : {Polarisation::s, Polarisation::p}) {
+            const auto& lane = polarisation == Polarisation::s ? response.s : response.p;
+            const Difference off = difference(lanes[i], polarisation, lane, i);
+            EXPECT_LE(off.power, allowed) << "lane " << i << ", " << layers << " layers";
+            EXPECT_LE(off.amplitude, allowed) << "lane " << i << ", " << layers << " layers";
+        }
+    }
+}
+
+TEST(StackBatch, AgreesWithOneByOne)
+{
+    Random random(1);
+    for (const std::size_t layers : {0, 1, 2, 3, 7, 16, 40, 64})
+        for (int batch = 0; batch < 12; ++batch)
+            expect_promised_accuracy(random.lanes(layers, 400.0));
+}
+
+TEST(StackBatch, ThickAbsorbersUnderflowQuietly)
+{
+    Random random(2);
+    for (int batch = 0; batch < 12; ++batch) expect_promised_accuracy(random.lanes(3, 5e4));
+    std::vector<Lane> opaque = random.lanes(2, 100.0);
+    for (Lane& lane : opaque) lane.stack.layers[1] = {{0.2, 3.4}, 5e4};
+    BatchResponse response;
+    stack_batch(pack(opaque), response);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        EXPECT_EQ(response.s.T[i], 0.0);
+        EXPECT_EQ(response.p.T[i], 0.0);
+        EXPECT_TRUE(std::isfinite(response.s.R[i]) && std::isfinite(response.p.R[i]));
+    }
+}
+
+TEST(StackBatch, GapsAndTotalReflectionAgree)
+{
+    std::vector<Lane> lanes;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const double cosine = 0.02 + 0.02 * static_cast<double>(i);  // all beyond 1/1.5
+        lanes.push_back(
+            {{1.5, {{1.0, 20.0 * static_cast<double>(i)}, {1.2, 90.0}}, 1.0}, cosine, 550.0});
+    }
+    expect_promised_accuracy(lanes);
+    for (Lane& lane : lanes) lane.stack.substrate = 1.5;
+    expect_promised_accuracy(lanes);
+}
+
+// Near a film's critical angle double precision loses digits; `doubt` says so and is no idle
+// threat.
+TEST(StackBatch, DoubtMarksCriticalAngles)
+{
+    std::vector<Lane> lanes;
+    for (std::size_t i = 0; i < kLanes; ++i)
+        lanes.push_back({{1.25, {{0.75, 2000.0}, {1.4, 80.0}}, 1.6},
+                         0.8 + std::ldexp(1.0, -4 - static_cast<int>(i)),
+                         550.0});
+    expect_promised_accuracy(lanes);
+    BatchResponse response;
+    stack_batch(pack(lanes), response);
+    for (std::size_t i = 1; i < kLanes; ++i) EXPECT_GT(response.doubt[i], response.doubt[i - 1]);
+    EXPECT_LT(response.doubt[0], 1e-13);
+    EXPECT_GT(response.doubt[kLanes - 1], 1e-11);
+}
+
+TEST(StackBatch, LanesDoNotSeeEachOther)
+{
+    Random random(3);
+    std::vector<Lane> lanes = random.lanes(5, 300.0);
+    BatchResponse before, after;
+    stack_batch(pack(lanes), before);
+    std::rotate(lanes.begin(), lanes.begin() + 5, lanes.end());
+    stack_batch(pack(lanes), after);
+    const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value); };
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const std::size_t was = (i + 5) % kLanes;
+        EXPECT_EQ(bits(after.s.R[i]), bits(before.s.R[was]));
+        EXPECT_EQ(bits(after.p.T[i]), bits(before.p.T[was]));
+        EXPECT_EQ(bits(after.p.t.im[i]), bits(before.p.t.im[was]));
+        EXPECT_EQ(bits(after.doubt[i]), bits(before.doubt[was]));
+    }
+}
+
+TEST(StackBatch, MixedCoherenceAgrees)
+{
+    Random random(4);
+    for (std::size_t layers = 1; layers <= 6; ++layers) {
+        for (unsigned pattern = 0; pattern < 1U << layers; ++pattern) {
+            std::vector<Lane> lanes = random.lanes(layers, 300.0);
+            std::vector<bool> coherent(layers);
+            for (std::size_t j = 0; j < layers; ++j) coherent[j] = (pattern >> j & 1U) != 0;
+            for (Lane& lane : lanes) {
+                for (std::size_t j = 0; j < layers; ++j) {
+                    Layer& layer = lane.stack.layers[j];
+                    layer.coherent = coherent[j];
+                    // A pane: clear and thick, or else intensities do not add up.
+                    if (!coherent[j]) layer = {{random(1.2, 2.8), random(0.0, 1e-6)}, 1e6, false};
+                }
+            }
+            Lanes R, T;
+            mixed_batch(pack(lanes), coherent, R, T);
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                const auto power =
+                    stack_power_unpolarised(lanes[i].stack, lanes[i].cosine, lanes[i].nm);
+                EXPECT_NEAR(R[i], power.R, 1e-12);
+                EXPECT_NEAR(T[i], power.T, 1e-12);
+            }
+        }
+    }
+}
+
+/// Rows of a march against the exact response, for any way to change a lane by row.
+template <class Change>
+void expect_rows(const std::vector<Lane>& lanes, const std::vector<Lanes>& R,
+                 const std::vector<Lanes>& T, double tolerance, Change&& change)
+{
+    for (std::size_t row = 0; row < R.size(); ++row) {
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            FilmStack stack = lanes[i].stack;
+            change(stack, i, row);
+            const auto power = stack_power_unpolarised(stack, lanes[i].cosine, lanes[i].nm);
+            ASSERT_NEAR(R[row][i], power.R, tolerance) << "row " << row << ", lane " << i;
+            ASSERT_NEAR(T[row][i], power.T, tolerance) << "row " << row << ", lane " << i;
+        }
+    }
+}
+
+TEST(PhaseMap, MarchesOverTheThicknessOfOneLayer)
+{
+    Random random(5);
+    constexpr double kFirst = 3.0, kStep = 7.5;  // nm
+    for (const std::size_t layers : {1, 2, 9}) {
+        for (std::size_t varying = 0; varying < layers; ++varying) {
+            const std::vector<Lane> lanes = random.lanes(layers, 300.0);
+            Lanes first, step;
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                first[i] = kFirst / lanes[i].nm;
+                step[i] = kStep / lanes[i].nm;
+            }
+            std::vector<Lanes> R(40), T(40);
+            PhaseMap(pack(lanes), varying).march(first, step, R, T);
+            expect_rows(lanes, R, T, 1e-12, [&](FilmStack& stack, std::size_t, std::size_t row) {
+                stack.layers[varying].thickness_nm = kFirst + kStep * static_cast<double>(row);
+            });
+        }
+    }
+}
+
+// The thickness that the stack came with is not read.
+TEST(PhaseMap, ForgetsTheThicknessOfItsLayer)
+{
+    Random random(6);
+    std::vector<Lane> lanes = random.lanes(3, 300.0);
+    Lanes first, step;
+    first.fill(0.1);
+    step.fill(0.02);
+    std::vector<Lanes> R(4), T(4), other_R(4), other_T(4);
+    PhaseMap(pack(lanes), 1).march(first, step, R, T);
+    for (Lane& lane : lanes) lane.stack.layers[1].thickness_nm = 1e6;
+    PhaseMap(pack(lanes), 1).march(first, step, other_R, other_T);
+    EXPECT_EQ(R, other_R);
+    EXPECT_EQ(T, other_T);
+}
+
+TEST(ScaledStack, MarchesOverAFactorOnAllThicknesses)
+{
+    Random random(7);
+    constexpr double kFirst = 0.25, kStep = 0.05;
+    for (const std::size_t layers : {0, 1, 5, 20}) {
+        const std::vector<Lane> lanes = random.lanes(layers, 150.0);
+        std::vector<Lanes> R(40), T(40);
+        ScaledStack(pack(lanes)).march(kFirst, kStep, R, T);
+        expect_rows(lanes, R, T, 1e-12, [&](FilmStack& stack, std::size_t, std::size_t row) {
+            for (Layer& layer : stack.layers)
+                layer.thickness_nm *= kFirst + kStep * static_cast<double>(row);
+        });
+    }
+}
+
+TEST(ScaledStack, StartsAtTheBareSubstrate)
+{
+    Random random(8);
+    const std::vector<Lane> lanes = random.lanes(4, 150.0);
+    std::vector<Lanes> R(1), T(1);
+    ScaledStack(pack(lanes)).march(0.0, 1.0, R, T);
+    expect_rows(lanes, R, T, 1e-14,
+                [](FilmStack& stack, std::size_t, std::size_t) { stack.layers.clear(); });
+}
+
+}  // namespace
+}  // namespace nacre::optics
