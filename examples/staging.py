@@ -20,9 +20,17 @@ LABELS = {"thickness_nm": "Thickness (nm)", "roughness": "Roughness"}
 
 
 def new_scene(
-    environment: str, *, strength: float = 1.0, turn_deg: float = 0.0, exposure: float = 0.0
+    environment: str,
+    *,
+    strength: float = 1.0,
+    turn_deg: float = 0.0,
+    exposure: float = 0.0,
+    bounces: int = 6,
 ) -> bpy.types.Scene:
-    """An empty scene lit by one of the environments that come with Blender (CC0)."""
+    """An empty scene lit by one of the environments that come with Blender (CC0).
+
+    Six `bounces` do for opaque things; cut glass wants more.
+    """
     import addon_utils  # in reach once bpy is imported
 
     bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -30,6 +38,8 @@ def new_scene(
         sys.exit(f"{EXTENSION} is not installed; `./dev demo` installs it")
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
+    scene.cycles.max_bounces = scene.cycles.transmission_bounces = bounces
+    scene.cycles.diffuse_bounces = 2
     scene.view_settings.view_transform = "AgX"
     scene.view_settings.look = "AgX - Medium High Contrast"
     scene.view_settings.exposure = exposure

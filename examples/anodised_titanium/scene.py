@@ -30,7 +30,7 @@ def ring(radius: float, width: float, wall: float):
 
 
 def main() -> None:
-    new_scene("studio", strength=1.1, turn_deg=150.0)
+    new_scene("studio", strength=1.9, turn_deg=150.0, exposure=0.5)
     backdrop((0.018, 0.018, 0.02), roughness=0.25)
     for index, thickness_nm in enumerate(THICKNESSES_NM):
         row, column = divmod(index, 3)

@@ -63,10 +63,10 @@ def brilliant(name: str) -> bpy.types.Object:
 
 
 def main() -> None:
-    new_scene("interior", strength=0.3, turn_deg=120.0, exposure=1.2)
+    new_scene("courtyard", strength=0.9, turn_deg=90.0, exposure=0.5, bounces=24)
     backdrop((0.012, 0.012, 0.016), roughness=0.3)
     for x, y, z, tilt, turn, scale in (
-        (0.0, 0.0, 0.86, 0.0, 10.0, 1.0),
+        (0.0, 0.0, 0.668, 49.0, 8.0, 1.0),
         (-1.75, 0.5, 0.48, 49.0, 70.0, 0.72),
         (1.6, 0.35, 0.43, 49.0, -50.0, 0.64),
     ):
@@ -80,10 +80,10 @@ def main() -> None:
         lamp(
             (3.2 * math.cos(angle), 3.2 * math.sin(angle), 3.6 + 0.5 * (index % 3)),
             (0.0, 0.0, 0.6),
-            size=0.16,
-            watts=90.0,
+            size=0.07,
+            watts=70.0,
         )
-    camera((0.0, -5.4, 5.4), (-0.05, 0.1, 0.55), lens_mm=50.0)
+    camera((0.0, -6.2, 3.4), (-0.05, 0.1, 0.6), lens_mm=54.0)
     save(sys.argv[1])
 
 

@@ -18,7 +18,7 @@ def pane(name: str, width: float, height: float) -> bpy.types.Object:
 
 
 def main() -> None:
-    new_scene("studio", strength=0.5, turn_deg=20.0)
+    new_scene("studio", strength=0.5, turn_deg=20.0, bounces=12)
     backdrop((0.55, 0.55, 0.55), roughness=0.6)
     for x, y, turn_deg in ((-1.35, 0.1, 50.0), (-0.05, 0.5, 8.0), (1.25, 0.0, -38.0)):
         obj = pane("Mirror", 1.25, 1.7)

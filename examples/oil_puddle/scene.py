@@ -49,7 +49,7 @@ def asphalt() -> None:
 
 
 def main() -> None:
-    new_scene("sunset", strength=0.8, turn_deg=-20.0)
+    new_scene("city", turn_deg=2.0, exposure=0.8)
     asphalt()
     water = puddle()
     node = wave_material(water, "oil_on_water")

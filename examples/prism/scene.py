@@ -50,7 +50,7 @@ def light_tubes(count: int, radius: float) -> None:
 
 
 def main() -> None:
-    new_scene("studio", strength=0.12, turn_deg=150.0)
+    new_scene("studio", strength=0.12, turn_deg=150.0, bounces=16)
     backdrop((0.02, 0.02, 0.023), roughness=0.3, depth=7.0)
     light_tubes(27, 3.2)
     # One edge towards the camera: both faces beside it are near the angle of least deviation.

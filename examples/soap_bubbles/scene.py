@@ -34,7 +34,7 @@ def bubble(centre, radius, top_nm, bottom_nm) -> None:
 
 
 def main() -> None:
-    new_scene("forest", strength=0.9, turn_deg=115.0, exposure=0.3)
+    new_scene("forest", strength=0.9, turn_deg=115.0, exposure=0.3, bounces=12)
     for values in BUBBLES:
         bubble(*values)
     camera((0.0, -9.5, 0.1), (0.0, 0.0, 0.15), lens_mm=70.0, f_stop=0.4)
