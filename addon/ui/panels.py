@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panel in Properties > Material, and the entries in menus."""
+"""The panels in Properties > Material and in the shader editor's sidebar, and the entries in menus."""
 
 from __future__ import annotations
 
@@ -13,12 +13,10 @@ from ..nodes import scene as scene_setup
 from ..nodes.material import describe, group_node, missing_tables
 
 
-class NACRE_PT_material(bpy.types.Panel):
+class _WaveOptics:
+    """What both panels show of the active object's active material."""
+
     bl_label = "Wave Optics"
-    bl_space_type = "PROPERTIES"
-    bl_region_type = "WINDOW"
-    bl_context = "material"
-    bl_order = 0
 
     @classmethod
     def poll(cls, context):
@@ -39,6 +37,24 @@ class NACRE_PT_material(bpy.types.Panel):
             _draw_problems(layout, context, material)
             _draw_sockets(layout, node)
             _draw_form(layout, node)
+
+
+class NACRE_PT_material(_WaveOptics, bpy.types.Panel):
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "material"
+
+
+class NACRE_PT_shader_editor(_WaveOptics, bpy.types.Panel):
+    bl_space_type = "NODE_EDITOR"
+    bl_region_type = "UI"
+    bl_category = "Nacre"
+
+    @classmethod
+    def poll(cls, context):
+        space = context.space_data
+        shows_materials = space.tree_type == "ShaderNodeTree" and space.shader_type == "OBJECT"
+        return shows_materials and super().poll(context)
 
 
 def _draw_problems(layout, context, material) -> None:
@@ -93,4 +109,4 @@ def remove_from_menus() -> None:
         getattr(bpy.types, name).remove(_draw_menu_entry)
 
 
-CLASSES = (NACRE_PT_material,)
+CLASSES = (NACRE_PT_material, NACRE_PT_shader_editor)
