@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._native import check, lib, take_tables, text
+from ._native import check, lib, number, take_tables, text
 
 
 class CompiledMaterial(NamedTuple):
@@ -57,7 +57,7 @@ def compile_template(
             text(illuminant, "illuminant"),
             text(observer, "observer"),
             text(space, "space"),
-            float(tolerance),
+            number(tolerance, "tolerance"),
             ctypes.byref(handle),
         )
     )

@@ -13,9 +13,21 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native, library
-from ._native import WAVELENGTHS, NacreError, check, complexes, doubles, lib, take_tables, text
+from ._native import (
+    WAVELENGTHS,
+    NacreError,
+    check,
+    complexes,
+    doubles,
+    lib,
+    number,
+    numbers,
+    take_tables,
+    text,
+)
 
 GRID_NM = np.arange(360.0, 831.0)
+MAX_TEXELS = 16384  # per axis
 
 
 class Table(NamedTuple):
@@ -43,6 +55,17 @@ def _index(medium: Any) -> np.ndarray:
             f"(got shape {values.shape})"
         )
     return np.broadcast_to(values, (WAVELENGTHS,))
+
+
+def _variation(varying: int | str | None, layers: int) -> int:
+    """As `nacre_film.varying` of capi.h."""
+    if varying is None:
+        return -2
+    if isinstance(varying, str) and varying == "scale":
+        return -1
+    if not isinstance(varying, (int, np.integer)) or not 0 <= varying < layers:
+        raise NacreError(f"varying: must be a layer, 'scale' or None (got {varying!r})")
+    return int(varying)
 
 
 def _table(info: _native.TableInfo, texels: np.ndarray) -> Table:
@@ -101,8 +124,10 @@ def film_lut(
     layers = thickness.size
     if len(media) != layers + 2:
         raise NacreError(f"media: must list {layers + 2} for {layers} layers (got {len(media)})")
-    if varying is not None and varying != "scale" and not 0 <= int(varying) < layers:
-        raise NacreError(f"varying: must be a layer, 'scale' or None (got {varying!r})")
+    low, high = numbers(range_, "range_", float, 2)
+    width, height = (0, 0) if size is None else numbers(size, "size", int, 2)
+    if size is not None and not (1 <= width <= MAX_TEXELS and 1 <= height <= MAX_TEXELS):
+        raise NacreError(f"size: must be two numbers in 1…{MAX_TEXELS} (got {size!r})")
     n = np.ascontiguousarray([_index(medium) for medium in media], dtype=np.complex128)
     flags = np.array([True] * layers if coherent is None else coherent, dtype=np.uint8)
     if flags.shape != (layers,):
@@ -112,15 +137,15 @@ def film_lut(
         n=n.ctypes.data,
         d_nm=thickness.ctypes.data,
         coherent=flags.ctypes.data,
-        varying={None: -2, "scale": -1}.get(varying, varying),
-        min=float(range_[0]),
-        max=float(range_[1]),
+        varying=_variation(varying, layers),
+        min=low,
+        max=high,
         illuminant=text(illuminant, "illuminant"),
         observer=text(observer, "observer"),
         space=text(space, "space"),
-        tolerance=float(tolerance),
-        width=0 if size is None else int(size[0]),
-        height=0 if size is None else int(size[1]),
+        tolerance=number(tolerance, "tolerance"),
+        width=width,
+        height=height,
         transmittance=int(transmittance),
     )
     handle = c_void_p()

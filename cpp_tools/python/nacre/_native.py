@@ -144,9 +144,12 @@ def check(status: int) -> None:
 
 
 def doubles(values: object, name: str, shape: tuple[int, ...] | None = None) -> np.ndarray:
-    """A contiguous array of float64."""
+    """A contiguous array of float64: the array itself where it is one."""
     try:
-        array = np.array(values, dtype=np.float64, order="C")
+        given = np.asarray(values)
+        if np.iscomplexobj(given):  # numpy would drop the imaginary parts with a warning
+            raise TypeError("complex numbers")
+        array = np.asarray(given, dtype=np.float64, order="C")
     except (TypeError, ValueError) as error:
         raise NacreError(f"{name}: must be real numbers ({error})") from error
     if shape is not None and array.shape != shape:
@@ -155,11 +158,26 @@ def doubles(values: object, name: str, shape: tuple[int, ...] | None = None) -> 
 
 
 def complexes(values: object, name: str) -> np.ndarray:
-    """A contiguous array of complex128."""
+    """A contiguous array of complex128: the array itself where it is one."""
     try:
-        return np.array(values, dtype=np.complex128, order="C")
+        return np.asarray(values, dtype=np.complex128, order="C")
     except (TypeError, ValueError) as error:
         raise NacreError(f"{name}: must be numbers ({error})") from error
+
+
+def numbers(values: object, name: str, kind: type, count: int) -> tuple:
+    """`count` numbers of one kind, int or float."""
+    try:
+        converted = tuple(kind(value) for value in values)  # type: ignore[attr-defined]
+    except (TypeError, ValueError, OverflowError) as error:
+        raise NacreError(f"{name}: must be {count} numbers ({error})") from error
+    if len(converted) != count:
+        raise NacreError(f"{name}: must be {count} numbers (got {len(converted)})")
+    return converted
+
+
+def number(value: object, name: str) -> float:
+    return numbers((value,), name, float, 1)[0]
 
 
 def text(value: object, name: str) -> bytes:

@@ -255,14 +255,7 @@ Baked bake_to_tolerance(Baker& baker)
 
         const bool angle = size.height < 2 || baked.along_angle >= baked.along_variation;
         int& texels = angle ? size.width : size.height;
-        if (texels == request.max_texels)
-            throw InputError(Diagnostic{
-                {},
-                0,
-                "tolerance",
-                fmt::format("a table of at most {} texels per axis reaches ΔE00 {:.3g}, not {:g}; "
-                            "raise the tolerance or narrow the range",
-                            request.max_texels, error, request.tolerance)});
+        if (texels == request.max_texels) refuse_tolerance(request, error);
         texels = refined(texels, error, request.tolerance, request.max_texels);
     }
 }

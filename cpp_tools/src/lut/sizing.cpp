@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sizing.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+
+#include "nacre/core/diagnostics.h"
 
 namespace nacre::lut {
 namespace {
@@ -63,6 +66,22 @@ double error_along_variation(Baker& baker, int height)
     return *std::max_element(largest.begin(), largest.end());
 }
 
+/// Texels of one axis that keep its error within `share`, or as many as there may be.
+int texels_for(Baker& baker, double share, int first, double (*error_along)(Baker&, int))
+{
+    const FilmTableRequest& request = baker.request;
+    int texels = std::min(request.max_texels, first);
+    for (;;) {
+        const double error = error_along(baker, texels);
+        if (error <= share) return texels;
+        if (texels == request.max_texels) {
+            if (error > request.tolerance) refuse_tolerance(request, error);
+            return texels;
+        }
+        texels = refined(texels, error, share, request.max_texels);
+    }
+}
+
 }  // namespace
 
 void Progress::stage(double share, std::size_t steps)
@@ -102,23 +121,23 @@ int refined(int texels, double error, double allowed, int limit)
     return static_cast<int>(std::min<double>(limit, steps + 1.0));
 }
 
+void refuse_tolerance(const FilmTableRequest& request, double error)
+{
+    throw InputError(Diagnostic{
+        {},
+        0,
+        "tolerance",
+        fmt::format("a table of at most {} texels per axis reaches ΔE00 {:.3g}, not {:g}; "
+                    "raise the tolerance or narrow the range",
+                    request.max_texels, error, request.tolerance)});
+}
+
 TableSize estimate_size(Baker& baker)
 {
-    const int limit = baker.request.max_texels;
     const bool varies = baker.request.variation.has_value();
     const double share = (varies ? 0.45 : 0.9) * baker.request.tolerance;
-
-    TableSize size{std::min(limit, kFirstWidth), varies ? std::min(limit, kFirstHeight) : 1};
-    while (size.width < limit) {
-        const double error = error_along_angle(baker, size.width);
-        if (error <= share) break;
-        size.width = refined(size.width, error, share, limit);
-    }
-    while (varies && size.height < limit) {
-        const double error = error_along_variation(baker, size.height);
-        if (error <= share) break;
-        size.height = refined(size.height, error, share, limit);
-    }
+    TableSize size{texels_for(baker, share, kFirstWidth, error_along_angle), 1};
+    if (varies) size.height = texels_for(baker, share, kFirstHeight, error_along_variation);
     return size;
 }
 

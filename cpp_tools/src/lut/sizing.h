@@ -63,8 +63,12 @@ struct Baker {
 
 [[nodiscard]] FilmColour midpoint(const FilmColour& a, const FilmColour& b) noexcept;
 
+/// The error that the largest table has is not allowed.
+[[noreturn]] void refuse_tolerance(const FilmTableRequest& request, double error);
+
 /// First guess at a size that meets the tolerance: each axis is refined alone, on a few lines
 /// across it, until what linear interpolation loses half-way between texels is below its share.
+/// @throws InputError when an axis alone is over the tolerance with as many texels as it may have
 [[nodiscard]] TableSize estimate_size(Baker& baker);
 
 /// Next number of texels for an axis whose error is too large; the error of linear interpolation

@@ -1,0 +1,13 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The package of the checkout over the library that NACRE_LIBRARY names, else the release build's."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+os.environ.setdefault("NACRE_LIBRARY", str(ROOT / "build" / "release" / "lib" / "libnacre.so"))
+sys.path.insert(0, str(ROOT / "cpp_tools" / "python"))

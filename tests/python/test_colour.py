@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""`nacre.spectrum_to_colour` against colour-science on the same 1 nm tables."""
+
+from __future__ import annotations
+
+import colour
+import numpy as np
+import pytest
+
+import nacre
+
+GRID = np.arange(360.0, 831.0)
+FIVE, TEN = np.arange(380.0, 781.0, 5), np.arange(360.0, 831.0, 10)
+SHAPE = colour.SpectralShape(360, 830, 1)
+OBSERVERS = {
+    "cie1931": "CIE 1931 2 Degree Standard Observer",
+    "cie1964": "CIE 1964 10 Degree Standard Observer",
+}
+RANDOM = np.random.default_rng(36)
+
+
+def bell(centre, width, wavelengths=GRID):
+    return np.exp(-(((wavelengths - centre) / width) ** 2))
+
+
+SPECTRA = {
+    "white": (GRID, np.ones(471)),
+    "bell-450": (GRID, bell(450, 15)),
+    "bell-550": (GRID, bell(550, 60)),
+    "line-589": (GRID, bell(589, 1)),
+    "notch": (GRID, 1 - 0.95 * bell(580, 12)),
+    "fringes": (GRID, np.cos(3e4 / GRID) ** 2),
+    "ramp": (GRID, (GRID - 360) / 470),
+    "rough": (GRID, RANDOM.random(471)),
+    "bell-5nm": (FIVE, bell(520, 30, FIVE)),
+    "rough-5nm": (FIVE, RANDOM.random(FIVE.size)),
+    "rough-10nm": (TEN, RANDOM.random(TEN.size)),
+    "film": (GRID, nacre.stack([1, 1.33, 1], [380], 30, GRID).R),
+}
+
+
+def on_grid(wavelengths, values):
+    """Sprague's interpolation; the nearest sample outside, as CIE 15 recommends."""
+    samples = colour.SpectralDistribution(values, wavelengths)
+    return samples.align(SHAPE).values
+
+
+def sums(wavelengths, values, observer, light):
+    cmfs = colour.MSDS_CMFS[OBSERVERS[observer]].copy().align(SHAPE).values
+    weighted = light[:, None] * cmfs
+    return on_grid(wavelengths, values) @ weighted / weighted[:, 1].sum()
+
+
+def illuminant(name):
+    if name == "E":
+        return np.ones(471)
+    light = colour.SDS_ILLUMINANTS[name]
+    return np.interp(GRID, light.wavelengths, light.values)
+
+
+@pytest.mark.parametrize("observer", OBSERVERS)
+@pytest.mark.parametrize("name", SPECTRA)
+def test_emission_agrees_with_colour_science(name, observer):
+    wavelengths, values = SPECTRA[name]
+    expected = sums(wavelengths, values, observer, np.ones(471))
+    ours = nacre.spectrum_to_colour(wavelengths, values, "emission", observer=observer)
+    np.testing.assert_allclose(ours.XYZ, expected, rtol=0, atol=1e-9)
+    lab = colour.XYZ_to_Lab(expected, [0.3127, 0.3290])
+    np.testing.assert_allclose(ours.Lab, lab, rtol=0, atol=1e-7)
+
+
+@pytest.mark.parametrize("observer", OBSERVERS)
+@pytest.mark.parametrize("light", ["D65", "A", "E"])
+@pytest.mark.parametrize("name", SPECTRA)
+def test_reflectance_agrees_with_colour_science(name, light, observer):
+    wavelengths, values = SPECTRA[name]
+    power = illuminant(light)
+    expected = sums(wavelengths, values, observer, power)
+    white = sums(GRID, np.ones(471), observer, power)
+    ours = nacre.spectrum_to_colour(wavelengths, values, illuminant=light, observer=observer)
+    np.testing.assert_allclose(ours.XYZ, expected, rtol=0, atol=1e-9)
+    lab = colour.XYZ_to_Lab(expected, colour.XYZ_to_xy(white))
+    np.testing.assert_allclose(ours.Lab, lab, rtol=0, atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("space", "name"),
+    [
+        ("lin_rec709_scene", "ITU-R BT.709"),
+        ("lin_rec2020_scene", "ITU-R BT.2020"),
+        ("lin_ap1_scene", "ACEScg"),
+    ],
+)
+def test_rgb_agrees_with_colour_science(space, name):
+    target = colour.RGB_COLOURSPACES[name].copy()
+    target.use_derived_matrix_RGB_to_XYZ = target.use_derived_matrix_XYZ_to_RGB = True
+    for wavelengths, values in SPECTRA.values():
+        ours = nacre.spectrum_to_colour(wavelengths, values, "emission", space=space)
+        expected = colour.XYZ_to_RGB(
+            ours.XYZ, target, illuminant=[0.3127, 0.3290], chromatic_adaptation_transform="Bradford"
+        )
+        # The white of the space is the sum of its primaries there and ours to all digits.
+        np.testing.assert_allclose(ours.rgb, expected, rtol=0, atol=1e-9)
+
+
+@pytest.mark.parametrize("light", ["D65", "A", "E", "D50", "D55", "D75"])
+@pytest.mark.parametrize("space", ["lin_rec709_scene", "lin_rec2020_scene", "lin_ap1_scene"])
+def test_a_perfect_white_is_one(light, space):
+    white = nacre.spectrum_to_colour([360, 830], [1, 1], illuminant=light, space=space)
+    np.testing.assert_allclose(white.rgb, 1, rtol=0, atol=1e-12)
+    assert white.XYZ[1] == pytest.approx(1, abs=1e-14)
+
+
+def test_samples_outside_hold_the_nearest():
+    inner = nacre.spectrum_to_colour([500.0, 600.0], [0.2, 0.8], "emission")
+    values = np.interp(GRID, [500, 600], [0.2, 0.8])
+    np.testing.assert_allclose(
+        inner.XYZ, nacre.spectrum_to_colour(GRID, values, "emission").XYZ, rtol=0, atol=1e-14
+    )

@@ -1,0 +1,124 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""`nacre.library` and `nacre.compile_template`."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import nacre
+
+ROOT = Path(__file__).resolve().parents[2]
+TEMPLATES = ROOT / "osl" / "templates"
+CONSTANTS = ROOT / "cpp_tools" / "data" / "optical_constants"
+
+
+def test_version_is_the_projects():
+    project = (ROOT / "CMakeLists.txt").read_text("utf-8")
+    assert nacre.__version__ == re.search(r"project\(Nacre VERSION ([0-9.]+)", project)[1]
+
+
+def test_keys_are_the_files_that_come_along():
+    files = sorted(f"{path.parent.name}/{path.stem}" for path in CONSTANTS.glob("*/*.yml"))
+    found = nacre.library.keys()
+    assert found == sorted(found)
+    assert set(files) <= set(found)
+
+
+@pytest.mark.parametrize("key", nacre.library.keys())
+def test_every_medium_can_be_read_over_its_range(key):
+    medium = nacre.library.medium(key)
+    assert medium.key == key
+    assert medium.name
+    first, last = medium.range_nm
+    assert first < last
+    wavelengths = np.linspace(max(first, 1.0), min(last, 1e5), 50)
+    index = medium.index(wavelengths)
+    assert index.shape == (50,)
+    assert index.dtype == np.complex128
+    assert (index.real > 0).all()
+    assert (index.imag >= 0).all()
+
+
+@pytest.mark.parametrize(
+    ("key", "wavelength", "n_d", "tolerance"),
+    [
+        ("N-BK7/SCHOTT", 587.5618, 1.51680, 5e-6),  # data sheets of SCHOTT
+        ("SF11/SCHOTT", 587.5618, 1.78472, 5e-6),
+        ("water/Daimon-20C", 587.5618, 1.33340, 1e-5),  # n_d of the paper
+        ("diamond/Peter", 589.3, 2.417, 1e-3),
+        ("SiO2/Malitson", 587.5618, 1.45846, 5e-6),
+    ],
+)
+def test_published_indices(key, wavelength, n_d, tolerance):
+    index = nacre.library.medium(key).index(wavelength)
+    assert index.shape == ()
+    assert index.real == pytest.approx(n_d, abs=tolerance)
+    assert index.imag < 1e-6
+
+
+def test_shapes_of_indices():
+    glass = nacre.library.medium("N-BK7/SCHOTT")
+    assert glass.index(np.full((2, 3), 550.0)).shape == (2, 3)
+    assert glass.index([]).shape == (0,)
+    assert glass.references
+    assert glass.index(np.float32(550)) == glass.index(550)
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in TEMPLATES.glob("*.toml")))
+def test_shipped_templates_compile(name):
+    text = (TEMPLATES / f"{name}.toml").read_text("utf-8")
+    material = nacre.compile_template(text, f"{name}.toml", tolerance=2.0)
+    assert material.id == name
+    assert material.manifest["id"] == name
+    assert re.search(rf"^shader \w*{name}", material.osl, re.MULTILINE)
+    assert len(material.tables) == len(material.manifest["tables"])
+    for texels in material.tables.values():
+        assert texels.dtype == np.float32
+        assert texels.ndim == 3
+        assert np.isfinite(texels).all()
+
+
+def test_compiling_twice_gives_the_same():
+    text = (TEMPLATES / "soap_film.toml").read_text("utf-8")
+    first, second = (nacre.compile_template(text, tolerance=1.0) for _ in range(2))
+    assert first.osl == second.osl
+    assert first.manifest == second.manifest
+    for name, texels in first.tables.items():
+        np.testing.assert_array_equal(texels, second.tables[name])
+
+
+def test_tolerance_and_space_reach_the_tables():
+    text = (TEMPLATES / "tempered_steel.toml").read_text("utf-8")
+    coarse = nacre.compile_template(text, tolerance=2.0)
+    fine = nacre.compile_template(text, tolerance=0.2)
+    wide = nacre.compile_template(text, tolerance=2.0, space="lin_ap1_scene")
+    assert fine.tables["R"].size > coarse.tables["R"].size
+    assert "lin_ap1_scene" in str(wide.manifest)
+
+
+def test_every_problem_of_a_template_comes_with_its_line():
+    text = (TEMPLATES / "soap_film.toml").read_text("utf-8")
+    broken = text.replace("schema = 1", "schema = 1\ncolour = 3").replace("min = 20", "min = -20")
+    with pytest.raises(nacre.NacreError) as caught:
+        nacre.compile_template(broken, "film.toml")
+    lines = str(caught.value).splitlines()
+    assert len(lines) >= 2
+    assert all(re.match(r"film\.toml:\d+: \S+: ", line) for line in lines)
+    assert any(line.startswith("film.toml:4: colour: ") for line in lines)
+    assert any("thickness_nm.min: must be ≥ 0 (got -20)" in line for line in lines)
+
+
+def test_unknown_media_of_a_template_are_errors():
+    text = (TEMPLATES / "soap_film.toml").read_text("utf-8")
+    with pytest.raises(nacre.NacreError, match="water/Daimon-20C"):
+        nacre.compile_template(text.replace("water/Daimon-20C", "water/Daimon"))
+
+
+def test_text_that_is_no_toml():
+    with pytest.raises(nacre.NacreError, match=r"^template\.toml:1: "):
+        nacre.compile_template("[[")
