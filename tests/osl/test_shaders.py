@@ -234,3 +234,37 @@ def test_disc_loses_no_light(blender):
         values={"tint": [1, 1, 1], "roughness": 0.0, "orders": 9},
     )
     np.testing.assert_allclose(image.mean(axis=(0, 1)), 1.0, atol=5e-3)
+
+
+@pytest.mark.parametrize(
+    ("offset", "radius"),
+    [((0, 0, 0.7), 0.65), ((0, 0.9, 0.45), 0.4)],
+    ids=["disc behind glass", "glass in the disc's orders"],
+)
+def test_glass_and_disc_together_leave_white_white(blender, offset, radius):
+    """Either weights its wavelength, in both orders on a path: by one and the same wavelength the
+    weight would be squared."""
+    image = blender.render(
+        osl=shader("nacre_disc"),
+        object="disc",
+        width=64,
+        height=64,
+        samples=512,
+        span=1.0,
+        values={
+            "tint": [1, 1, 1],
+            "roughness": 0.0,
+            "pitch_nm": 700.0,  # three orders at most
+            "strength": 0.3,
+        },
+        ball={
+            "osl": shader("nacre_glass"),
+            "values": {"n_d": 1.7847, "v_d": 25.7},
+            "offset": offset,
+            "radius": radius,
+        },
+    )
+    noise = image.std(axis=(0, 1)) / 64
+    print("mean", image.mean(axis=(0, 1)), "noise", noise)
+    assert np.all(noise < 2.5e-3), "too noisy to tell"
+    np.testing.assert_allclose(image.mean(axis=(0, 1)), 1.0, atol=5e-3)

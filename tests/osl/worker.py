@@ -184,6 +184,14 @@ def task_render(job: dict, folder: Path) -> dict:
     else:
         for offset in job.get("offsets", [(0, 0, 0)]):
             add_sphere(scene, material, offset, job.get("radius", 1.0))
+    if "ball" in job:
+        ball = job["ball"]
+        add_sphere(
+            scene,
+            material_from(ball["osl"], folder, ball["values"]),
+            ball["offset"],
+            ball["radius"],
+        )
     for lamp in job.get("lamps", []):
         data = bpy.data.lights.new("Lamp", "SUN")
         data.energy = lamp["energy"]

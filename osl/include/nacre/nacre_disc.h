@@ -62,7 +62,8 @@ closure color nacre_disc_lobes(nacre_disc_tracks disc, normal n, float roughness
 {
     vector lateral = n * dot(n, I) - I;
     vector across = nacre_across_tracks(n);
-    nacre_wavelength path = nacre_draw_wavelength(edges, weight, nacre_path_random());
+    float random = nacre_second_random(nacre_path_random(), arraylength(weight));
+    nacre_wavelength path = nacre_draw_wavelength(edges, weight, random);
     float ratio = path.nm / disc.pitch_nm;
     nacre_grating grating = nacre_disc_grating(disc, lateral, path.nm);
     float scale = disc.strength / nacre_propagating_share(grating, lateral, across, ratio);
