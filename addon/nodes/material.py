@@ -93,7 +93,8 @@ def describe(material: bpy.types.Material) -> AssignedMaterial:
 
 def kind(material: bpy.types.Material) -> str:
     """`film`, `grating` or `glass`."""
-    return group_node(material).node_tree.get(groups.KIND, "film")
+    node = group_node(material)
+    return node.node_tree.get(groups.KIND, "film") if node else "film"
 
 
 def missing_tables(material: bpy.types.Material) -> tuple[str, ...]:

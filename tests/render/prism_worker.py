@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Parallel rays through a wedge of glass, inside Blender: arguments JOBS.json, see Blender.run.
+
+A job: material, apex_deg, incidence_deg, line_nm, samples, file and `world`, an OSL shader that says
+what each direction of the world is worth; its parameter `line_nm` is set.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import importlib
+import json
+import math
+import sys
+import tempfile
+from pathlib import Path
+
+import bpy
+from mathutils import Matrix, Vector
+from worker_support import load_extension
+
+import _cycles  # isort: skip
+
+THICKNESS = 2.0  # along the middle ray
+
+
+def face(scene: bpy.types.Scene, middle: Vector, tilt: float, up: bool) -> bpy.types.Object:
+    """A square, turned about the y axis, whose outer side is up or down."""
+    corners = [(-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0)]
+    data = bpy.data.meshes.new("Face")
+    data.from_pydata(corners, [], [(0, 1, 2, 3) if up else (3, 2, 1, 0)])
+    item = bpy.data.objects.new("Face", data)
+    item.matrix_world = Matrix.Translation(middle) @ Matrix.Rotation(tilt, 4, "Y")
+    scene.collection.objects.link(item)
+    return item
+
+
+def add_camera(scene: bpy.types.Scene) -> None:
+    data = bpy.data.cameras.new("Camera")
+    data.type, data.ortho_scale = "ORTHO", 0.1
+    scene.camera = bpy.data.objects.new("Camera", data)
+    scene.camera.location = (0.0, 0.0, 4.0)
+    scene.collection.objects.link(scene.camera)
+
+
+def bytecode(source: str) -> str:
+    with tempfile.TemporaryDirectory() as folder:
+        osl, oso = Path(folder, "world.osl"), Path(folder, "world.oso")
+        osl.write_text(source, "utf-8")
+        assert _cycles.osl_compile(str(osl), str(oso)), "the world does not compile"
+        return oso.read_text("utf-8")
+
+
+def light(scene: bpy.types.Scene, source: str, line_nm: float) -> None:
+    """A script's colour as the background; a script's own background closure stays black."""
+    world = scene.world = bpy.data.worlds.new("World")
+    world.use_nodes = True
+    background = next(node for node in world.node_tree.nodes if node.type == "BACKGROUND")
+    node = world.node_tree.nodes.new("ShaderNodeScript")
+    node.mode = "INTERNAL"
+    node.bytecode = bytecode(source)
+    node.bytecode_hash = hashlib.md5(node.bytecode.encode()).hexdigest()
+    node.inputs.new(type="NodeSocketFloat", name="line_nm", identifier="line_nm")
+    node.inputs[0].default_value = line_nm
+    node.outputs.new(type="NodeSocketColor", name="value", identifier="value")
+    world.node_tree.links.new(node.outputs[0], background.inputs["Color"])
+
+
+def render(package: str, job: dict) -> None:
+    part = {
+        name: importlib.import_module(f"{package}.{name}")
+        for name in ("core.library", "nodes.material", "nodes.scene", "output")
+    }
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    compiled = part["core.library"].Library.default().load(job["material"])
+    material = part["nodes.material"].create_material(compiled, "osl")
+    part["nodes.scene"].use_osl(scene)
+    part["nodes.scene"].use_wavelengths(scene)
+    incidence, apex = math.radians(job["incidence_deg"]), math.radians(job["apex_deg"])
+    for item in (
+        face(scene, Vector((0, 0, 0)), incidence, up=True),
+        face(scene, Vector((0, 0, -THICKNESS)), incidence - apex, up=False),
+    ):
+        item.data.materials.append(material)
+    light(scene, job["world"], job["line_nm"])
+    add_camera(scene)
+    scene.render.resolution_x = scene.render.resolution_y = 4
+    scene.render.resolution_percentage = 100
+    scene.cycles.samples = job["samples"]
+    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
+    scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
+    bpy.ops.render.render()
+    part["output"].Writer(scene).save(Path(job["file"]))
+
+
+def main() -> None:
+    package = load_extension()
+    for job in json.loads(Path(sys.argv[1]).read_text()):
+        render(package, job)
+
+
+main()

@@ -1,0 +1,110 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Where a wedge of glass sends each wavelength, against Snell's law."""
+
+from __future__ import annotations
+
+import json
+import re
+import tomllib
+
+import numpy as np
+import pytest
+from harness import ROOT, materials_folder, nacre
+
+LINES_NM = (486.1327, 587.5618, 656.2725)
+GLASSES = ("n_bk7", "sf11", "water", "diamond")
+APEX_DEG = 30.0
+INCIDENCE_DEG = 45.0
+# A twentieth of a pixel of a picture that is 4096 pixels and 40 degrees wide.
+TOLERANCE = 0.05 * np.radians(40.0) / 4096
+
+# Paths that crossed both faces by a wavelength within 0.5 nm of a line see the angle of their
+# direction, 1, and the wavelength in µm, over what the glass has put on them. Others see black.
+WORLD = """
+shader world(
+    float line_nm = 550.0,
+    {arrays},
+    output color value = 0.0
+)
+{{
+    int reflections = 0;
+    int transmissions = 0;
+    getattribute("path:glossy_depth", reflections);
+    getattribute("path:transmission_depth", transmissions);
+    nacre_wavelength path = nacre_draw_wavelength(wavelength_edges, wavelength_weight,
+                                                  nacre_path_random());
+    if (reflections == 0 && transmissions == 2 && fabs(path.nm - line_nm) < 0.5)
+        value = color(4.0 + I[0], 1.0, 1e-3 * path.nm) / path.weight;
+}}
+"""
+
+
+def world(material: str) -> str:
+    """With the functions and the wavelengths of the compiled glass itself."""
+    text = (materials_folder() / material / f"{material}.osl").read_text("utf-8")
+    head, _, body = text.partition(f"shader nacre_{material}\n")
+    edges, weight = (
+        re.search(rf"{kind} {name}\[\d+\] = {{[^}}]*}}", body)[0]
+        for kind, name in (("float", "wavelength_edges"), ("color", "wavelength_weight"))
+    )
+    return head + WORLD.format(arrays=f"{edges},\n    {weight}")
+
+
+def index(material: str, nm: float) -> float:
+    text = (ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8")
+    glass = tomllib.loads(text)["glass"]
+    if "medium" in glass:
+        shown = json.loads(nacre("library", "show", glass["medium"], "--at", nm, "--json"))
+        return shown["at"][0]["n"]
+    squared = (nm / 1000) ** 2
+    terms = zip(glass["sellmeier"]["b"], glass["sellmeier"]["c"], strict=True)
+    return np.sqrt(1 + sum(b * squared / (squared - c) for b, c in terms))
+
+
+def exit_angle(n: float, incidence: float, apex: float) -> float:
+    """Of light that fell along −z, from −z towards −x: Snell's law at both faces."""
+    inside = incidence - np.arcsin(np.sin(incidence) / n)  # from −z
+    tilt = incidence - apex
+    outside = np.arcsin(n * np.sin(inside - tilt))  # from the normal of the second face
+    return outside + tilt
+
+
+CASES = [(name, nm) for name in GLASSES for nm in LINES_NM]
+
+
+@pytest.fixture(scope="module")
+def rays(blender):
+    """Exit angle and wavelength by case."""
+    jobs = [
+        {
+            "material": material,
+            "apex_deg": APEX_DEG,
+            "incidence_deg": INCIDENCE_DEG,
+            "line_nm": nm,
+            "samples": 2048,
+            "world": world(material),
+        }
+        for material, nm in CASES
+    ]
+    found = {}
+    for case, picture in zip(CASES, blender.run("prism_worker.py", jobs), strict=True):
+        sine, seen, um = picture.mean(axis=(0, 1))
+        assert seen > 0, case
+        found[case] = np.arcsin(sine / seen - 4.0), 1000 * um / seen
+    return found
+
+
+@pytest.mark.parametrize("material", GLASSES)
+def test_wedge_sends_each_wavelength_where_snell_s_law_does(blender, rays, material):
+    incidence, apex = np.radians(INCIDENCE_DEG), np.radians(APEX_DEG)
+    expected, errors = [], []
+    for line in LINES_NM:
+        angle, nm = rays[material, line]
+        assert abs(nm - line) < 0.5
+        expected.append(exit_angle(index(material, nm), incidence, apex))
+        errors.append(angle - expected[-1])
+    largest = np.abs(errors).max()
+    print(f"{material}, Blender {blender.version}: largest error {largest:.1e} rad")
+    assert np.ptp(expected) > 20 * TOLERANCE  # the dispersion that is seen
+    assert largest <= TOLERANCE
