@@ -3,7 +3,8 @@
 """Benchmarks against peers as ratios: `./dev bench`, or `run.py -o FOLDER [PART…]`.
 
 Needs what `./dev` sets up: NACRE_LIBRARY for the stacks; NACRE_PYTHON (a Python with bpy) and
-NACRE_MATERIALS (compiled materials) for the renders. A target that is missed is reported, not an error.
+NACRE_MATERIALS (compiled materials) for the renders; the environment of the render tests for the
+colours. A target that is missed is reported, not an error.
 """
 
 from __future__ import annotations
@@ -25,6 +26,8 @@ from page import page  # noqa: E402
 
 # At most 0.75 of the time of Principled with its thin film.
 RENDER_TARGET = 1 / 0.75
+# Mean dE00 of at most 0.01, where Blender's own film is off by 0.4 or more.
+COLOUR_TARGET = 40.0
 FILMS = {"oil_on_water": "one film", "jewel_beetle": "16 layers"}
 FORMS = {"nodes": "as nodes", "osl": "as OSL"}
 
@@ -61,7 +64,29 @@ def render() -> list[Result]:
     ]
 
 
-PARTS = {"stacks": stacks, "render": render}
+def colour() -> list[Result]:
+    script = ROOT / "tests" / "render" / "compare_blender_film.py"
+    done = subprocess.run(
+        [os.environ["NACRE_PYTHON"], script], capture_output=True, text=True, check=False
+    )
+    *table, last = done.stdout.splitlines() or [""]
+    if done.returncode != 0 or not last.startswith("RESULT "):
+        raise SystemExit(f"{script.name} failed:\n{done.stdout[-2000:]}{done.stderr[-4000:]}")
+    print("\n".join(table))
+    return [
+        Result(
+            id=f"colour-{record['id']}-{record['blender']}",
+            what=f"mean dE00 against the exact spectrum, {record['what']}, 200-1600 nm, by table",
+            ours=record["ours"],
+            peer=record["peer"],
+            peer_version=f"thin film of Blender {record['blender']}",
+            target=COLOUR_TARGET,
+        )
+        for record in json.loads(last.removeprefix("RESULT "))
+    ]
+
+
+PARTS = {"stacks": stacks, "render": render, "colour": colour}
 
 
 def machine() -> str:

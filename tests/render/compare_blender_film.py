@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Blender's own thin film, and Nacre's, against the exact spectrum: a Markdown table of ΔE00.
 
-    python tests/render/compare_blender_film.py
+    ./dev bench colour        or, by itself:   python tests/render/compare_blender_film.py
 
 Every pixel of an orthographic sphere under a white world, D65, CIE 1931 2°. Both get the same
 structure with the same constant indices, which is all that Blender's film can take. The environment
@@ -11,6 +11,7 @@ is that of the render tests (NACRE, NACRE_LIBRARY, NACRE_BPY45, NACRE_BPY52).
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import sys
@@ -117,23 +118,52 @@ def measure(blender: Blender) -> dict[tuple[str, float, str], tuple[float, float
     return found
 
 
-def main() -> None:
-    heads = [f"{thickness:.0f} nm" for thickness in THICKNESSES]
-    print("| ΔE00 mean / max | shader |", " | ".join(heads), "|")
-    print("|---|---|" + "---|" * len(heads))
+def measure_all() -> dict[str, dict]:
+    """`measure` for each Blender that there is."""
     with tempfile.TemporaryDirectory() as folder:
         compile_tables(Path(folder))
         os.environ["NACRE_MATERIALS"] = folder
-        for version, variable in VERSIONS.items():
-            if not os.environ.get(variable):
-                print(f"{variable} names no Python with bpy {version}", file=sys.stderr)
+        return {
+            version: measure(Blender(version, os.environ[variable], Path(folder)))
+            for version, variable in VERSIONS.items()
+            if os.environ.get(variable)
+        }
+
+
+def table(found: dict[str, dict]) -> str:
+    heads = [f"{thickness:.0f} nm" for thickness in THICKNESSES]
+    lines = [["ΔE00 mean / max", "shader", *heads], ["---"] * (2 + len(heads))]
+    for version, results in found.items():
+        for what in STRUCTURES:
+            for shader, label in SHADERS.items():
+                row = [results[what, thickness, shader] for thickness in THICKNESSES]
+                cells = ["none" if r is None else "{:.3f} / {:.3f}".format(*r) for r in row]
+                lines.append([f"{what}, Blender {version}", label, *cells])
+    return "\n".join("| " + " | ".join(line) + " |" for line in lines)
+
+
+def summary(found: dict[str, dict]) -> list[dict]:
+    """Mean ΔE00 over the thicknesses, Blender's and our table's, where Blender has a film."""
+    records = []
+    for version, results in found.items():
+        for what, (name, *_) in STRUCTURES.items():
+            means = {
+                shader: [results[what, thickness, shader] for thickness in THICKNESSES]
+                for shader in ("table", "blender")
+            }
+            if None in means["blender"]:
                 continue
-            found = measure(Blender(version, os.environ[variable], Path(folder)))
-            for what in STRUCTURES:
-                for shader, label in SHADERS.items():
-                    results = [found[what, thickness, shader] for thickness in THICKNESSES]
-                    cells = ["none" if r is None else "{:.3f} / {:.3f}".format(*r) for r in results]
-                    print(f"| {what}, Blender {version} | {label} |", " | ".join(cells), "|")
+            ours, peer = (float(np.mean([mean for mean, _ in rows])) for rows in means.values())
+            records.append(
+                {"id": name, "what": what, "blender": version, "ours": ours, "peer": peer}
+            )
+    return records
+
+
+def main() -> None:
+    found = measure_all()
+    print(table(found))
+    print("RESULT " + json.dumps(summary(found)))
 
 
 if __name__ == "__main__":
