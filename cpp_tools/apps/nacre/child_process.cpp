@@ -61,13 +61,14 @@ std::vector<std::string> environment_with(const std::map<std::string, std::strin
         const std::string text = *entry;
         if (!extra.contains(text.substr(0, text.find('=')))) result.push_back(text);
     }
-    for (const auto& [name, value] : extra) result.push_back(name + "=" + value);
+    for (const auto& [name, value] : extra) result.push_back(fmt::format("{}={}", name, value));
     return result;
 }
 
 std::vector<char*> pointers(std::vector<std::string>& strings)
 {
     std::vector<char*> result;
+    result.reserve(strings.size() + 1);
     for (std::string& text : strings) result.push_back(text.data());
     result.push_back(nullptr);
     return result;

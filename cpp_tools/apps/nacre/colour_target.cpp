@@ -84,9 +84,10 @@ OCIO::ConstConfigRcPtr load_config(const std::string& file)
 OCIO::ConstColorSpaceRcPtr find_space(const OCIO::ConstConfigRcPtr& config, const std::string& file,
                                       const std::string& name)
 {
-    const OCIO::ConstColorSpaceRcPtr space = config->getColorSpace(name.c_str());
+    OCIO::ConstColorSpaceRcPtr space = config->getColorSpace(name.c_str());
     if (!space) {
         std::vector<std::string> names;
+        names.reserve(static_cast<std::size_t>(config->getNumColorSpaces() + config->getNumRoles()));
         for (int i = 0; i < config->getNumColorSpaces(); ++i)
             names.emplace_back(config->getColorSpaceNameByIndex(i));
         for (int i = 0; i < config->getNumRoles(); ++i) names.emplace_back(config->getRoleName(i));

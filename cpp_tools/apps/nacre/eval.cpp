@@ -74,6 +74,36 @@ A CD under a light from above:
          "wavelength_nm": 550, "orders": [-3, 3],
          "profile": {"kind": "rectangular", "phase_rad": 1.5}}' | nacre eval grating)";
 
+constexpr const char* kFilmHelp = R"(
+record  {"model": "airy", "n": [1, 1.33, 1], "d_nm": [400], "angle_deg": 30,
+         "wavelength_nm": 550, "pol": "s|p|u"}
+  model          airy             clear film on a clear base (Durikovic and Kimura); exact
+                 series           reflection at the top and two round trips, cut there
+                 opaque_base      clear film on a base that may absorb (Sun and Wang); exact
+                 free_film        the same medium on both sides, such as a soap bubble; exact
+                 etalon           Airy's function; "mirror_reflectance": R instead of Fresnel's
+                 path_difference  bands without physics; "view_angle_deg" instead of "pol"
+                 uv               interface alone by u + iv = cosθ₂; "n" of two media, "d_nm": []
+  the rest       as for `nacre eval stack`; film and ambient are clear, and no form but uv has
+                 total reflection
+result  {"R": …, "exact": …, "error": …}: the form, the multilayer, and their difference; null where
+        the mirrors are given. path_difference: {"bands": …} in [0, 1). uv: {"R": …,
+        "r_s": [re, im], "r_p": [re, im], "cos": [u, v]}
+
+How far the cut series is off on a high index:
+  echo '{"model": "series", "n": [1, 2.4, 3.5], "d_nm": [115], "angle_deg": 0,
+         "wavelength_nm": 550, "pol": "u"}' | nacre eval film)";
+
+constexpr const char* kSlitsHelp = R"(
+record  {"width_nm": 2000, "spacing_nm": 6000, "angle_deg": 5, "wavelength_nm": 550}
+  spacing_nm     between the centres of two slits, at least their width; without it one slit
+  angle_deg      away from straight ahead, in [-90, 90]
+result  {"intensity": …}, far behind the slits, 1 straight ahead
+
+The first dark fringe of two slits:
+  echo '{"width_nm": 1000, "spacing_nm": 4000, "angle_deg": 3.94, "wavelength_nm": 550}' |
+    nacre eval slits)";
+
 std::string joined(const InputError& error)
 {
     std::vector<std::string> texts;
@@ -173,6 +203,18 @@ void add_eval(CLI::App& app, Session& session)
         ->callback([&session, options] {
             session.run = [&session, options] {
                 return evaluate_file(session, *options, evaluate_stack);
+            };
+        });
+    add_kind(*eval, "film", "closed forms of one film beside the exact value", kFilmHelp, options)
+        ->callback([&session, options] {
+            session.run = [&session, options] {
+                return evaluate_file(session, *options, evaluate_film);
+            };
+        });
+    add_kind(*eval, "slits", "intensity behind one slit or two", kSlitsHelp, options)
+        ->callback([&session, options] {
+            session.run = [&session, options] {
+                return evaluate_file(session, *options, evaluate_slits);
             };
         });
     add_kind(*eval, "grating", "directions and efficiencies of diffraction orders", kGratingHelp,

@@ -36,6 +36,8 @@ std::optional<Complex> read_index(const json& value, const std::string& field, b
     return Complex{*n, *k};
 }
 
+}  // namespace
+
 std::vector<Complex> read_indices(ObjectReader& reader, DiagnosticList& problems)
 {
     const json* list = reader.required("n");
@@ -55,6 +57,8 @@ std::vector<Complex> read_indices(ObjectReader& reader, DiagnosticList& problems
     }
     return indices.size() == list->size() ? indices : std::vector<Complex>{};
 }
+
+namespace {
 
 bool is_word(const json& value, std::string_view word)
 {

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "eval.h"
+#include "nacre/optics/film_models.h"
+
+namespace nacre::tool {
+namespace {
+
+using optics::Complex;
+using optics::Incidence;
+using optics::Polarisation;
+using optics::SingleFilm;
+
+struct FilmQuestion {
+    std::string model, polarisation;
+    std::vector<Complex> n;
+    SingleFilm film;  ///< where the model has a film
+    double cos_ambient, cos_view, wavelength_nm;
+    std::optional<double> mirror_reflectance;
+};
+
+double cosine(double angle_deg)
+{
+    return std::cos(angle_deg * std::numbers::pi / 180.0);
+}
+
+/// The layers of the model: none for an interface, else one.
+void check_layers(ObjectReader& reader, const std::vector<Complex>& n,
+                  const std::vector<double>& d_nm, bool is_interface)
+{
+    const std::size_t media = is_interface ? 2 : 3;
+    if (n.size() != media)
+        reader.problem(
+            "n",
+            fmt::format("must list {} for this model (got {} values)",
+                        is_interface ? "ambient and base" : "ambient, film and base", n.size()));
+    else if (!is_interface && n[1].imag() > 0.0)
+        reader.problem("n[1]", fmt::format("must have k = 0: only `nacre eval stack` has absorbing "
+                                           "films (got {})",
+                                           n[1].imag()));
+    if (d_nm.size() + 2 != media)
+        reader.problem("d_nm",
+                       fmt::format("must have {} for this model (got {} values)",
+                                   is_interface ? "no thickness" : "one thickness", d_nm.size()));
+}
+
+FilmQuestion read_film(const json& record)
+{
+    DiagnosticList problems;
+    ObjectReader reader(record, "", problems);
+    const auto model = reader.choice(
+        "model", {"path_difference", "airy", "series", "opaque_base", "free_film", "etalon", "uv"});
+    const auto n = read_indices(reader, problems);
+    const auto d_nm = reader.numbers("d_nm", kNotNegative);
+    const Range angles{0.0, 90.0, false, true};
+    const auto angle = reader.number("angle_deg", angles);
+    const auto wavelength = reader.number("wavelength_nm", kPositive);
+    if (model && !n.empty() && d_nm) check_layers(reader, n, *d_nm, model == "uv");
+    std::optional<double> view, mirror;
+    std::optional<std::string> polarisation = "u";
+    if (model == "path_difference")
+        view = reader.number("view_angle_deg", angles);
+    else if (model)
+        polarisation = reader.choice("pol", {"s", "p", "u"});
+    if (model == "etalon" && reader.has("mirror_reflectance"))
+        mirror = reader.number("mirror_reflectance", {0.0, 1.0, false, true});
+    if (model) reader.refuse_unknown_keys();
+    problems.throw_if_any();
+
+    FilmQuestion question{*model, *polarisation, n, {}, cosine(*angle), 1.0, *wavelength, mirror};
+    if (view) question.cos_view = cosine(*view);
+    if (n.size() == 3) question.film = {n[0].real(), n[1].real(), n[2], d_nm->front()};
+    return question;
+}
+
+std::vector<Polarisation> polarisations(const std::string& word)
+{
+    if (word == "u") return {Polarisation::s, Polarisation::p};
+    return {word == "s" ? Polarisation::s : Polarisation::p};
+}
+
+double etalon(const FilmQuestion& question, Polarisation which)
+{
+    const SingleFilm& film = question.film;
+    const double phase =
+        optics::round_trip_phase(film, question.cos_ambient, question.wavelength_nm);
+    if (question.mirror_reflectance)
+        return 1.0 - optics::etalon_transmittance(*question.mirror_reflectance, phase);
+    const auto surface = optics::fresnel_amplitudes(
+        film.n_ambient, film.n_film, question.cos_ambient,
+        optics::forward_cosine(film.n_ambient, film.n_film, question.cos_ambient));
+    const Complex r = which == Polarisation::s ? surface.r_s : surface.r_p;
+    return 1.0 - optics::etalon_transmittance(std::norm(r), phase);
+}
+
+double reflectance(const FilmQuestion& question, Polarisation which)
+{
+    const Incidence light{question.cos_ambient, question.wavelength_nm, which};
+    if (question.model == "airy") return optics::airy_reflectance(question.film, light);
+    if (question.model == "series") return optics::series_reflectance(question.film, light);
+    if (question.model == "opaque_base")
+        return optics::opaque_base_reflectance(question.film, light);
+    if (question.model == "free_film") return optics::free_film_reflectance(question.film, light);
+    return etalon(question, which);
+}
+
+ordered_json evaluate_interface(const FilmQuestion& question)
+{
+    const auto form =
+        optics::uv_interface(question.n[0].real(), question.n[1], question.cos_ambient);
+    const auto pair = [](Complex value) { return ordered_json{value.real(), value.imag()}; };
+    double sum = 0.0;
+    const auto both = polarisations(question.polarisation);
+    for (const Polarisation which : both)
+        sum += std::norm(which == Polarisation::s ? form.r_s : form.r_p);
+    return {{"R", sum / static_cast<double>(both.size())},
+            {"r_s", pair(form.r_s)},
+            {"r_p", pair(form.r_p)},
+            {"cos", {form.u, form.v}}};
+}
+
+}  // namespace
+
+ordered_json evaluate_film(const json& record)
+{
+    const FilmQuestion question = read_film(record);
+    if (question.model == "uv") return evaluate_interface(question);
+    if (question.model == "path_difference")
+        return {
+            {"bands", optics::path_difference_bands(question.film, question.cos_ambient,
+                                                    question.cos_view, question.wavelength_nm)}};
+    const optics::FilmStack stack{
+        question.n[0], {{question.n[1], question.film.thickness_nm}}, question.n[2]};
+    double R = 0.0, exact = 0.0;
+    const auto both = polarisations(question.polarisation);
+    for (const Polarisation which : both) {
+        R += reflectance(question, which) / static_cast<double>(both.size());
+        exact += optics::stack_power(stack, question.cos_ambient, question.wavelength_nm, which).R /
+                 static_cast<double>(both.size());
+    }
+    ordered_json result = {{"R", R}, {"exact", nullptr}, {"error", nullptr}};
+    if (!question.mirror_reflectance) {
+        result["exact"] = exact;
+        result["error"] = R - exact;
+    }
+    return result;
+}
+
+ordered_json evaluate_slits(const json& record)
+{
+    DiagnosticList problems;
+    ObjectReader reader(record, "", problems);
+    const auto width = reader.number("width_nm", kPositive);
+    const auto angle = reader.number("angle_deg", {-90.0, 90.0});
+    const auto wavelength = reader.number("wavelength_nm", kPositive);
+    std::optional<double> spacing = 0.0;
+    if (reader.has("spacing_nm"))
+        spacing = reader.number("spacing_nm", kPositive);
+    else
+        (void)reader.optional("spacing_nm");
+    reader.refuse_unknown_keys();
+    problems.throw_if_any();
+    const double sine = std::sin(*angle * std::numbers::pi / 180.0);
+    return {{"intensity", optics::slit_intensity(*width, *spacing, sine, *wavelength)}};
+}
+
+}  // namespace nacre::tool

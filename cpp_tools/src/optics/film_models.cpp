@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/optics/film_models.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "nacre/core/diagnostics.h"
+
+namespace nacre::optics {
+namespace {
+
+using std::numbers::pi;
+
+class Domain {
+public:
+    void require(bool ok, const char* field, std::string message)
+    {
+        if (!ok) problems_.add({{}, 0, field, std::move(message)});
+    }
+
+    void light(double cos_ambient, double wavelength_nm)
+    {
+        require(cos_ambient > 0.0 && cos_ambient <= 1.0, "angle_deg", "must be in [0, 90)");
+        require(std::isfinite(wavelength_nm) && wavelength_nm > 0.0, "wavelength_nm",
+                "must be finite and > 0");
+    }
+
+    void base(Complex n, const char* field)
+    {
+        require(std::isfinite(n.real()) && n.real() > 0.0, field, "must have n > 0");
+        require(std::isfinite(n.imag()) && n.imag() >= 0.0, field, "must have k ≥ 0");
+    }
+
+    /// Light reaches the film and passes it as a wave, not as an evanescent field.
+    void film(const SingleFilm& film, double cos_ambient)
+    {
+        require(std::isfinite(film.n_ambient) && film.n_ambient > 0.0, "n[0]", "must be > 0");
+        require(std::isfinite(film.n_film) && film.n_film > 0.0, "n[1]", "must be > 0");
+        base(film.n_base, "n[2]");
+        require(std::isfinite(film.thickness_nm) && film.thickness_nm >= 0.0, "d_nm[0]",
+                "must be finite and ≥ 0");
+        throw_if_any();
+        require(across(film, cos_ambient) < film.n_film, "angle_deg",
+                "must be below the critical angle of the film: this form has no total reflection");
+    }
+
+    void clear_base(const SingleFilm& film, double cos_ambient)
+    {
+        require(film.n_base.imag() == 0.0, "n[2]",
+                "must have k = 0: this form is one of clear media");
+        require(across(film, cos_ambient) < film.n_base.real(), "angle_deg",
+                "must be below the critical angle of the base: this form has no total reflection");
+    }
+
+    void throw_if_any() { problems_.throw_if_any(); }
+
+    /// n sinθ, the same in every medium.
+    static double across(const SingleFilm& film, double cos_ambient) noexcept
+    {
+        return film.n_ambient * std::sqrt((1.0 - cos_ambient) * (1.0 + cos_ambient));
+    }
+
+private:
+    DiagnosticList problems_;
+};
+
+struct Surfaces {
+    double r01, t01, t10;
+    Complex r12;
+    double phase;
+};
+
+double phase_of(const SingleFilm& film, double cos_film, double wavelength_nm) noexcept
+{
+    return 4.0 * pi * film.n_film * film.thickness_nm * cos_film / wavelength_nm;
+}
+
+double cosine_in_film(const SingleFilm& film, double cos_ambient) noexcept
+{
+    return forward_cosine(film.n_ambient, film.n_film, cos_ambient).real();
+}
+
+Surfaces surfaces(const SingleFilm& film, const Incidence& light) noexcept
+{
+    const double cos_film = cosine_in_film(film, light.cos_ambient);
+    const Complex cos_base = forward_cosine(film.n_film, film.n_base, cos_film);
+    const auto top = fresnel_amplitudes(film.n_ambient, film.n_film, light.cos_ambient, cos_film);
+    const auto back = fresnel_amplitudes(film.n_film, film.n_ambient, cos_film, light.cos_ambient);
+    const auto bottom = fresnel_amplitudes(film.n_film, film.n_base, cos_film, cos_base);
+    const double phase = phase_of(film, cos_film, light.wavelength_nm);
+    if (light.polarisation == Polarisation::s)
+        return {top.r_s.real(), top.t_s.real(), back.t_s.real(), bottom.r_s, phase};
+    return {top.r_p.real(), top.t_p.real(), back.t_p.real(), bottom.r_p, phase};
+}
+
+/// Checks a film of clear media and gives its coefficients.
+Surfaces clear_surfaces(const SingleFilm& film, const Incidence& light)
+{
+    Domain domain;
+    domain.light(light.cos_ambient, light.wavelength_nm);
+    domain.film(film, light.cos_ambient);
+    domain.clear_base(film, light.cos_ambient);
+    domain.throw_if_any();
+    return surfaces(film, light);
+}
+
+double sinc(double x) noexcept
+{
+    return x == 0.0 ? 1.0 : std::sin(x) / x;
+}
+
+}  // namespace
+
+double round_trip_phase(const SingleFilm& film, double cos_ambient, double wavelength_nm)
+{
+    Domain domain;
+    domain.light(cos_ambient, wavelength_nm);
+    domain.film(film, cos_ambient);
+    domain.throw_if_any();
+    return phase_of(film, cosine_in_film(film, cos_ambient), wavelength_nm);
+}
+
+double path_difference_bands(const SingleFilm& film, double cos_light, double cos_view,
+                             double wavelength_nm)
+{
+    Domain domain;
+    domain.light(std::min(cos_light, cos_view), wavelength_nm);
+    domain.light(std::max(cos_light, cos_view), wavelength_nm);
+    domain.film(film, std::min(cos_light, cos_view));
+    domain.throw_if_any();
+    const double waves = 2.0 * film.n_film * film.thickness_nm * cosine_in_film(film, cos_light) *
+                         cosine_in_film(film, cos_view) / wavelength_nm;
+    return waves - std::floor(waves);
+}
+
+double airy_reflectance(const SingleFilm& film, const Incidence& light)
+{
+    const Surfaces at = clear_surfaces(film, light);
+    const Complex once = at.r12 * std::polar(1.0, at.phase);
+    return std::norm((at.r01 + once) / (1.0 + at.r01 * once));
+}
+
+double series_reflectance(const SingleFilm& film, const Incidence& light)
+{
+    const Surfaces at = clear_surfaces(film, light);
+    const Complex once = at.r12 * std::polar(1.0, at.phase);
+    return std::norm(at.r01 + at.t01 * at.t10 * once * (1.0 - at.r01 * once));
+}
+
+double series_error_bound(const SingleFilm& film, const Incidence& light)
+{
+    const Surfaces at = clear_surfaces(film, light);
+    const double ratio = std::abs(at.r01 * at.r12);
+    const double remainder = at.t01 * at.t10 * std::abs(at.r12) * ratio * ratio / (1.0 - ratio);
+    return remainder * (2.0 * std::sqrt(airy_reflectance(film, light)) + remainder);
+}
+
+double opaque_base_reflectance(const SingleFilm& film, const Incidence& light)
+{
+    Domain domain;
+    domain.light(light.cos_ambient, light.wavelength_nm);
+    domain.film(film, light.cos_ambient);
+    domain.throw_if_any();
+    const Surfaces at = surfaces(film, light);
+    const double mixed =
+        2.0 * at.r01 * (at.r12.real() * std::cos(at.phase) - at.r12.imag() * std::sin(at.phase));
+    const double top = at.r01 * at.r01, bottom = std::norm(at.r12);
+    return (top + bottom + mixed) / (1.0 + top * bottom + mixed);
+}
+
+double free_film_reflectance(const SingleFilm& film, const Incidence& light)
+{
+    Domain same;
+    same.require(film.n_base == Complex(film.n_ambient), "n[2]",
+                 "must equal n[0]: a free film has the same medium on both sides");
+    same.throw_if_any();
+    const Surfaces at = clear_surfaces(film, light);
+    const double r2 = at.r01 * at.r01;
+    // 1 − cosδ = 2 sin²(δ/2), which keeps its digits in a film that is all but gone.
+    const double half = std::sin(0.5 * at.phase);
+    const double swing = 4.0 * r2 * half * half;
+    return swing / ((1.0 - r2) * (1.0 - r2) + swing);
+}
+
+double etalon_transmittance(double mirror_reflectance, double phase_rad)
+{
+    Domain domain;
+    domain.require(mirror_reflectance >= 0.0 && mirror_reflectance < 1.0, "mirror_reflectance",
+                   "must be in [0, 1)");
+    domain.require(std::isfinite(phase_rad), "phase_rad", "must be finite");
+    domain.throw_if_any();
+    const double loss = 1.0 - mirror_reflectance, half = std::sin(0.5 * phase_rad);
+    return 1.0 / (1.0 + 4.0 * mirror_reflectance / (loss * loss) * half * half);
+}
+
+UvForm uv_interface(double n_ambient, Complex n_base, double cos_ambient)
+{
+    Domain domain;
+    domain.light(cos_ambient, 1.0);
+    domain.require(std::isfinite(n_ambient) && n_ambient > 0.0, "n[0]", "must be > 0");
+    domain.base(n_base, "n[1]");
+    domain.throw_if_any();
+
+    const double n = n_base.real(), k = n_base.imag(), m = std::norm(n_base);
+    const double s2 = n_ambient * n_ambient * (1.0 - cos_ambient) * (1.0 + cos_ambient);
+    // (u + iv)² = cos²θ₂ = 1 − s²/(n + ik)²
+    const double re = 1.0 - (n - k) * (n + k) * s2 / (m * m);
+    const double im = 2.0 * n * k * s2 / (m * m);
+    const double modulus = std::hypot(re, im);
+    // The larger of both roots by the sum, the other from 2uv = im: no cancellation.
+    const double large = std::sqrt(0.5 * (modulus + std::abs(re)));
+    const double small = large > 0.0 ? 0.5 * im / large : 0.0;
+    const double u = re >= 0.0 ? large : small, v = re >= 0.0 ? small : large;
+
+    const double a = n * u - k * v, b = n * v + k * u;  // (n + ik)(u + iv)
+    const double c = n_ambient * cos_ambient;
+    const double s_scale = 1.0 / ((c + a) * (c + a) + b * b);
+    const double f = n_ambient * u, g = n_ambient * v, h = n * cos_ambient, l = k * cos_ambient;
+    const double p_scale = 1.0 / ((h + f) * (h + f) + (l + g) * (l + g));
+    return {.u = u,
+            .v = v,
+            .r_s = {(c * c - a * a - b * b) * s_scale, -2.0 * c * b * s_scale},
+            .r_p = {(h * h + l * l - f * f - g * g) * p_scale, 2.0 * (l * f - h * g) * p_scale}};
+}
+
+double slit_intensity(double width_nm, double spacing_nm, double sin_angle, double wavelength_nm)
+{
+    Domain domain;
+    domain.light(1.0, wavelength_nm);
+    domain.require(std::isfinite(width_nm) && width_nm > 0.0, "width_nm", "must be > 0");
+    domain.require(spacing_nm == 0.0 || (std::isfinite(spacing_nm) && spacing_nm >= width_nm),
+                   "spacing_nm", "must be 0 for one slit, or at least the width");
+    domain.require(std::abs(sin_angle) <= 1.0, "angle_deg", "must be in [-90, 90]");
+    domain.throw_if_any();
+    const double turns = pi * sin_angle / wavelength_nm;
+    const double one = sinc(width_nm * turns), two = std::cos(spacing_nm * turns);
+    return one * one * two * two;
+}
+
+}  // namespace nacre::optics
