@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""clang-tidy over the library; a source whose preprocessed text passed is skipped.
+"""clang-tidy over the library and the tool; a source whose preprocessed text passed is skipped.
 
 usage: tidy.py BUILD_FOLDER
 """
@@ -55,8 +55,8 @@ def main() -> int:
     passed = build.parent / "tidy"
     passed.mkdir(exist_ok=True)
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    folder = Path.cwd() / "cpp_tools" / "src"
-    ours = [entry for entry in entries if Path(entry["file"]).is_relative_to(folder)]
+    folders = [Path.cwd() / "cpp_tools" / name for name in ("src", "apps")]
+    ours = [e for e in entries if any(Path(e["file"]).is_relative_to(f) for f in folders)]
     failures = 0
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         outcomes = pool.map(lambda entry: check(entry, build, passed), ours)

@@ -87,10 +87,10 @@ OCIO::ConstColorSpaceRcPtr find_space(const OCIO::ConstConfigRcPtr& config, cons
     OCIO::ConstColorSpaceRcPtr space = config->getColorSpace(name.c_str());
     if (!space) {
         std::vector<std::string> names;
-        names.reserve(static_cast<std::size_t>(config->getNumColorSpaces() + config->getNumRoles()));
-        for (int i = 0; i < config->getNumColorSpaces(); ++i)
-            names.emplace_back(config->getColorSpaceNameByIndex(i));
-        for (int i = 0; i < config->getNumRoles(); ++i) names.emplace_back(config->getRoleName(i));
+        const int spaces = config->getNumColorSpaces(), roles = config->getNumRoles();
+        names.reserve(static_cast<std::size_t>(spaces) + static_cast<std::size_t>(roles));
+        for (int i = 0; i < spaces; ++i) names.emplace_back(config->getColorSpaceNameByIndex(i));
+        for (int i = 0; i < roles; ++i) names.emplace_back(config->getRoleName(i));
         throw InputError({file, 0, "--space",
                           fmt::format("must be a space or role of the config: {} (got {})",
                                       fmt::join(names, ", "), name)});

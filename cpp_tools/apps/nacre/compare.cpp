@@ -44,7 +44,7 @@ std::string named_space(const LoadedImage& loaded)
 {
     const auto names = spectral::colour_space_names();
     for (const char* attribute : {"nacre:space", "colorInteropID"}) {
-        const std::string name = text_attribute(loaded, attribute);
+        std::string name = text_attribute(loaded, attribute);
         if (std::find(names.begin(), names.end(), name) != names.end()) return name;
     }
     return "";

@@ -80,12 +80,8 @@ int run_command(const Session& session)
     return kExitInputError;
 }
 
-}  // namespace
-}  // namespace nacre::tool
-
-int main(int argc, char** argv)
+int run(int argc, char** argv)
 {
-    using namespace nacre::tool;
     install_signal_handlers();
     Session session;
     CLI::App app("Nacre: wave-optics materials as numbers, tables and shaders", "nacre");
@@ -108,4 +104,18 @@ int main(int argc, char** argv)
     }
     session.command = command_name(app);
     return run_command(session);
+}
+
+}  // namespace
+}  // namespace nacre::tool
+
+int main(int argc, char** argv)
+{
+    try {
+        return nacre::tool::run(argc, argv);
+    } catch (const std::exception& error) {
+        // Before a command is known: memory, or a mistake in the declaration of the options.
+        std::fprintf(stderr, "nacre: %s\n", error.what());
+        return nacre::tool::kExitInputError;
+    }
 }

@@ -18,6 +18,7 @@ public:
     StagedFolder(StagedFolder&& other) noexcept;
     StagedFolder(const StagedFolder&) = delete;
     StagedFolder& operator=(const StagedFolder&) = delete;
+    StagedFolder& operator=(StagedFolder&&) = delete;
     ~StagedFolder();
 
     [[nodiscard]] const std::filesystem::path& path() const noexcept { return temporary_; }

@@ -23,8 +23,11 @@ std::vector<double> probe_positions(int texels)
     if (texels == 1) return {0.0};
     const int cells = texels - 1, count = std::min(cells, kMaxProbes);
     std::vector<double> positions;
-    for (int i = 0; i < count; ++i)
-        positions.push_back(static_cast<double>(std::int64_t{i} * cells / count) + 0.5);
+    positions.reserve(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) {
+        const std::int64_t cell = std::int64_t{i} * cells / count;
+        positions.push_back(static_cast<double>(cell) + 0.5);
+    }
     return positions;
 }
 
