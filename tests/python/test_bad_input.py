@@ -258,6 +258,13 @@ def test_a_missing_library_is_an_import_error(tmp_path):
 
 def test_structures_have_the_layout_of_the_header():
     """What ctypes declares is what `capi.h` declares: sizes on a 64-bit system."""
-    sizes = {"Colour": 72, "Grating": 112, "TableInfo": 104, "Film": 104, "Medium": 48}
+    sizes = {
+        "GridArray": 16,
+        "Colour": 72,
+        "Grating": 112,
+        "TableInfo": 104,
+        "Film": 104,
+        "Medium": 48,
+    }
     for name, size in sizes.items():
         assert ctypes.sizeof(getattr(_native, name)) == size

@@ -64,6 +64,29 @@ NACRE_API nacre_status nacre_stack(size_t count, size_t layers, const double* n,
                                    const unsigned char* coherent, nacre_polarisation polarisation,
                                    double* power, double* amplitudes);
 
+/** One argument of nacre_stack_grid(). */
+typedef struct nacre_grid_array {
+    const double* values;
+    const size_t*
+        steps; /**< axes: elements from one item to the next along each axis; 0: the same */
+} nacre_grid_array;
+
+/**
+ * nacre_stack() for a grid of items, each argument stored once however many items share it. The
+ * last axis runs fastest in the results. Several threads work on a large grid; the bits do not
+ * depend on it, nor on how the items are arranged.
+ *
+ * @param shape  axes; results have the product of it as their count
+ * @param n      elements of (layers + 2) pairs
+ * @param d_nm   elements of `layers` numbers
+ */
+NACRE_API nacre_status nacre_stack_grid(size_t axes, const size_t* shape, size_t layers,
+                                        nacre_grid_array n, nacre_grid_array d_nm,
+                                        nacre_grid_array angle_deg, nacre_grid_array wavelength_nm,
+                                        const unsigned char* coherent,
+                                        nacre_polarisation polarisation, double* power,
+                                        double* amplitudes);
+
 typedef struct nacre_colour {
     double XYZ[3], Lab[3], rgb[3];
 } nacre_colour;

@@ -19,6 +19,10 @@ class NacreError(ValueError):
     """Wrong input; the message names the field and what is allowed."""
 
 
+class GridArray(Structure):
+    _fields_ = [("values", c_void_p), ("steps", POINTER(c_size_t))]
+
+
 class Colour(Structure):
     _fields_ = [("XYZ", c_double * 3), ("Lab", c_double * 3), ("rgb", c_double * 3)]
 
@@ -90,6 +94,10 @@ _SIGNATURES = {
     "nacre_version": (c_char_p, []),
     "nacre_last_error": (c_char_p, []),
     "nacre_stack": (c_int, [c_size_t, c_size_t, *[c_void_p] * 5, c_int, c_void_p, c_void_p]),
+    "nacre_stack_grid": (
+        c_int,
+        [c_size_t, POINTER(c_size_t), c_size_t, *[GridArray] * 4, c_void_p, c_int, *[c_void_p] * 2],
+    ),
     "nacre_spectrum_to_colour": (
         c_int,
         [c_size_t, c_void_p, c_void_p, c_int, *[c_char_p] * 3, POINTER(Colour)],

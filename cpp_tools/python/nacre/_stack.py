@@ -4,14 +4,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
+from ctypes import c_size_t
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._native import NacreError, check, complexes, doubles, lib
+from ._native import GridArray, NacreError, check, complexes, doubles, lib
 
 _POLARISATIONS = {"s": 0, "p": 1, "u": 2}
 
@@ -24,6 +24,17 @@ class StackResult(NamedTuple):
     A: np.ndarray
     r: np.ndarray | None
     t: np.ndarray | None
+
+
+def _grid_array(array: np.ndarray, shape: tuple[int, ...], tail: int) -> GridArray:
+    """A contiguous array, whose last `tail` axes are one element, along the axes of `shape`."""
+    lengths = array.shape[: array.ndim - tail]
+    steps, elements = [0] * len(shape), 1
+    for axis in range(1, len(lengths) + 1):
+        if lengths[-axis] != 1:
+            steps[-axis] = elements
+            elements *= lengths[-axis]
+    return GridArray(array.ctypes.data, (c_size_t * len(shape))(*steps))
 
 
 def stack(
@@ -49,7 +60,8 @@ def stack(
     coherent : sequence of bool, length layers, optional
         False: intensities, not amplitudes, are added across that layer. Default: all coherent.
 
-    The leading shapes broadcast against each other by numpy's rules.
+    The leading shapes broadcast against each other by numpy's rules; nothing is copied that many
+    items share. Several threads work on large arrays; the bits do not depend on how many.
 
     Returns
     -------
@@ -88,23 +100,18 @@ def stack(
     except ValueError as error:
         raise NacreError(f"n, d_nm, angle_deg, wavelength_nm: {error}") from error
 
-    inputs = [
-        np.ascontiguousarray(np.broadcast_to(array, shape + tail))
-        for array, tail in (
-            (n_array, (layers + 2,)),
-            (d_array, (layers,)),
-            (angle, ()),
-            (wavelength, ()),
-        )
-    ]
     has_amplitudes = pol != "u" and (flags is None or bool(flags.all()))
     power = np.empty((*shape, 3))
     amplitudes = np.empty((*shape, 2), dtype=np.complex128) if has_amplitudes else None
     check(
-        lib.nacre_stack(
-            math.prod(shape),
+        lib.nacre_stack_grid(
+            len(shape),
+            (c_size_t * len(shape))(*shape),
             layers,
-            *(array.ctypes.data for array in inputs),
+            _grid_array(n_array, shape, 1),
+            _grid_array(d_array, shape, 1),
+            _grid_array(angle, shape, 0),
+            _grid_array(wavelength, shape, 0),
             None if flags is None else flags.ctypes.data,
             _POLARISATIONS[pol],
             power.ctypes.data,

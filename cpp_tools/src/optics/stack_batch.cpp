@@ -46,31 +46,6 @@ NACRE_INLINE void step(FieldLanes& f, std::size_t i, C half_sum, C eta_m, C m_ov
     store(f.V, i, V * half_sum + U * m_over_eta);
 }
 
-/// What a layer does to the fields.
-struct LayerTerms {
-    C q, n2, inverse_n2;
-    C half_pass;            ///< e^{iδ}
-    C half_sum;             ///< (1 + E)/2
-    C m_times_q, m_over_q;  ///< (1 − E)/2 times and over q
-};
-
-NACRE_INLINE LayerTerms terms(const Frame& frame, const LaneLayer& layer, std::size_t i)
-{
-    LayerTerms t;
-    const C n = load(layer.n, i);
-    t.q = frame.q(n, i);
-    t.n2 = n * n;
-    t.inverse_n2 = lane::reciprocal(t.n2);
-    const double decay = lane::exp_decay(-2.0 * std::numbers::pi * t.q.im * layer.waves[i]);
-    t.half_pass = decay * lane::cis_turns(t.q.re * layer.waves[i]);
-    const C E = t.half_pass * t.half_pass;
-    t.half_sum = {0.5 + 0.5 * E.re, 0.5 * E.im};
-    const C m{0.5 - 0.5 * E.re, -0.5 * E.im};
-    t.m_times_q = m * t.q;
-    t.m_over_q = m * lane::reciprocal(t.q);
-    return t;
-}
-
 /// Fields of one wave going down in the substrate.
 NACRE_INLINE void start(FieldLanes& s, FieldLanes& p, const Frame& frame, const ComplexLanes& below,
                         std::size_t i)
@@ -97,31 +72,100 @@ NACRE_VECTOR_CLONES void begin_fold(Fold& fold, const LaneStack& stack)
     }
 }
 
-NACRE_VECTOR_CLONES void fold_layer(Fold& fold, const LaneStack& stack, const LaneLayer& layer)
+// A layer is worked through in several short loops: one long one would neither fit the registers
+// nor let the processor overlap the roots and quotients of one lane with the products of another.
+
+/// What does not depend on the thickness.
+NACRE_VECTOR_CLONES void prepare_layer(ScaledStack::Layer& out, const LaneStack& stack,
+                                       const LaneLayer& layer)
 {
     const Frame frame{stack.n_0, stack.cos_0};
 #pragma GCC ivdep
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const LayerTerms t = terms(frame, layer, i);
-        step(fold.s, i, t.half_sum, t.m_times_q, t.m_over_q);
-        step(fold.p, i, t.half_sum, t.m_times_q * t.inverse_n2, t.m_over_q * t.n2);
-        store(fold.passed, i, load(fold.passed, i) * t.half_pass);
+        const C n = load(layer.n, i), q = frame.q(n, i), n2 = n * n;
+        // 1/q and 1/n² by one quotient.
+        const double norm_q = lane::norm(q), norm_n2 = lane::norm(n2);
+        const double scale = 1.0 / (norm_q * norm_n2);
+        store(out.q, i, q);
+        store(out.inverse_q, i, scale * norm_n2 * C{q.re, -q.im});
+        store(out.n2, i, n2);
+        store(out.inverse_n2, i, scale * norm_q * C{n2.re, -n2.im});
+        out.waves[i] = layer.waves[i];
     }
+}
+
+/// e^{iδ} of a layer at a factor on its thickness.
+NACRE_VECTOR_CLONES void single_trip(const ScaledStack::Layer& layer, double factor,
+                                     ComplexLanes& out)
+{
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const double waves = factor * layer.waves[i];
+        const double decay = lane::exp_decay(-2.0 * std::numbers::pi * layer.q.im[i] * waves);
+        store(out, i, decay * lane::cis_turns(layer.q.re[i] * waves));
+    }
+}
+
+/// (1 + E)/2, and (1 − E)/2 times and over q.
+struct HalfSums {
+    C half_sum, m_times_q, m_over_q;
+};
+NACRE_INLINE HalfSums half_sums(const ScaledStack::Layer& layer, C half_pass, std::size_t i)
+{
+    const C E = half_pass * half_pass, m{0.5 - 0.5 * E.re, -0.5 * E.im};
+    return {.half_sum = {0.5 + 0.5 * E.re, 0.5 * E.im},
+            .m_times_q = m * load(layer.q, i),
+            .m_over_q = m * load(layer.inverse_q, i)};
+}
+
+/// The fields below a layer become those above it.
+NACRE_VECTOR_CLONES void step_fields(FieldLanes& s, FieldLanes& p, ComplexLanes& passed,
+                                     const ScaledStack::Layer& layer, const ComplexLanes& phase)
+{
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        const C half_pass = load(phase, i);
+        const HalfSums h = half_sums(layer, half_pass, i);
+        step(s, i, h.half_sum, h.m_times_q, h.m_over_q);
+        step(p, i, h.half_sum, h.m_times_q * load(layer.inverse_n2, i),
+             h.m_over_q * load(layer.n2, i));
+        store(passed, i, load(passed, i) * half_pass);
+    }
+}
+
+NACRE_VECTOR_CLONES void turn_on(ComplexLanes& phase, const ComplexLanes& turn)
+{
+#pragma GCC ivdep
+    for (std::size_t i = 0; i < kLanes; ++i) store(phase, i, load(phase, i) * load(turn, i));
+}
+
+void fold_layer(Fold& fold, const ScaledStack::Layer& prepared)
+{
+    ComplexLanes phase;
+    single_trip(prepared, 1.0, phase);
+    step_fields(fold.s, fold.p, fold.passed, prepared, phase);
+}
+
+void fold_layer(Fold& fold, const LaneStack& stack, const LaneLayer& layer)
+{
+    ScaledStack::Layer prepared;
+    prepare_layer(prepared, stack, layer);
+    fold_layer(fold, prepared);
 }
 
 /// Largest effect of a rounding error in a layer: of the phase, 2πq d/λ·ε, and of q² next to a
 /// critical angle, n²ε/q² on the admittance.
-NACRE_VECTOR_CLONES void add_doubt(Lanes& doubt, const LaneStack& stack, const LaneLayer& layer)
+NACRE_VECTOR_CLONES void add_doubt(Lanes& doubt, const LaneStack& stack, const LaneLayer& layer,
+                                   const ScaledStack::Layer& prepared)
 {
     constexpr double kEpsilon = 1.1e-16;
-    const Frame frame{stack.n_0, stack.cos_0};
 #pragma GCC ivdep
     for (std::size_t i = 0; i < kLanes; ++i) {
-        const C n = load(layer.n, i), q = frame.q(n, i);
-        const double q2 = lane::norm(q), n2 = lane::norm(n) + stack.n_0[i] * stack.n_0[i];
+        const double n2 = lane::norm(load(layer.n, i)) + stack.n_0[i] * stack.n_0[i];
+        const double q = std::sqrt(lane::norm(load(prepared.q, i)));
+        const double inverse_q = q * lane::norm(load(prepared.inverse_q, i));
         const double phase = 2.0 * std::numbers::pi * layer.waves[i];
-        const double loss = kEpsilon * (phase * std::sqrt(q2) + (phase + 1.0) * n2 / std::sqrt(q2));
-        doubt[i] += loss;
+        doubt[i] += kEpsilon * (phase * q + (phase + 1.0) * n2 * inverse_q);
     }
 }
 
@@ -144,10 +188,15 @@ NACRE_VECTOR_CLONES void finish_fold(BatchResponse& out, const Fold& fold, const
     for (std::size_t i = 0; i < kLanes; ++i) {
         const C n_a = load(stack.above, i), q_a = frame.q(n_a, i);
         const C n_b = load(stack.below, i), q_b = frame.q(n_b, i);
-        const C passed = load(fold.passed, i);
+        const C n2_a = n_a * n_a, n2_b = n_b * n_b, passed = load(fold.passed, i);
+        // 1/n² of both by one quotient.
+        const double norm_a = lane::norm(n2_a), norm_b = lane::norm(n2_b);
+        const double scale = 1.0 / (norm_a * norm_b);
+        const C inverse_n2_a = scale * norm_b * C{n2_a.re, -n2_a.im};
+        const C inverse_n2_b = scale * norm_a * C{n2_b.re, -n2_b.im};
         finish(out.s, i, q_a, q_b, passed, fold.s, {1.0, 0.0});
-        finish(out.p, i, q_a * lane::reciprocal(n_a * n_a), q_b * lane::reciprocal(n_b * n_b),
-               passed, fold.p, n_a * lane::reciprocal(n_b));
+        finish(out.p, i, q_a * inverse_n2_a, q_b * inverse_n2_b, passed, fold.p,
+               n_a * n_b * inverse_n2_b);
     }
 }
 
@@ -193,20 +242,15 @@ NACRE_VECTOR_CLONES void split_fields(Split& s, Split& p, ComplexLanes& q_out, c
     }
 }
 
-NACRE_VECTOR_CLONES void carry_up(Split& s, Split& p, ComplexLanes& passed, const LaneStack& stack,
-                                  const LaneLayer& layer)
+void carry_up(Split& s, Split& p, ComplexLanes& passed, const LaneStack& stack,
+              const LaneLayer& layer)
 {
-    const Frame frame{stack.n_0, stack.cos_0};
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const LayerTerms t = terms(frame, layer, i);
-        step(s.down, i, t.half_sum, t.m_times_q, t.m_over_q);
-        step(s.up, i, t.half_sum, t.m_times_q, t.m_over_q);
-        const C eta_m = t.m_times_q * t.inverse_n2, m_over_eta = t.m_over_q * t.n2;
-        step(p.down, i, t.half_sum, eta_m, m_over_eta);
-        step(p.up, i, t.half_sum, eta_m, m_over_eta);
-        store(passed, i, load(passed, i) * t.half_pass);
-    }
+    ScaledStack::Layer prepared;
+    ComplexLanes phase, already_counted = passed;
+    prepare_layer(prepared, stack, layer);
+    single_trip(prepared, 1.0, phase);
+    step_fields(s.down, p.down, passed, prepared, phase);
+    step_fields(s.up, p.up, already_counted, prepared, phase);
 }
 
 NACRE_INLINE void coefficients(PhaseMap::Coefficients& out, const Split& split, std::size_t i,
@@ -275,61 +319,20 @@ NACRE_VECTOR_CLONES void round_trip(const ComplexLanes& q, const Lanes& waves, C
     }
 }
 
-NACRE_VECTOR_CLONES void prepare_layer(ScaledStack::Layer& out, const LaneStack& stack,
-                                       const LaneLayer& layer)
-{
-    const Frame frame{stack.n_0, stack.cos_0};
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const C n = load(layer.n, i), q = frame.q(n, i), n2 = n * n;
-        store(out.q, i, q);
-        store(out.inverse_q, i, lane::reciprocal(q));
-        store(out.n2, i, n2);
-        store(out.inverse_n2, i, lane::reciprocal(n2));
-        out.waves[i] = layer.waves[i];
-    }
-}
-
-/// e^{iδ} of a layer at a factor on its thickness.
-NACRE_VECTOR_CLONES void single_trip(const ScaledStack::Layer& layer, double factor,
-                                     ComplexLanes& out)
-{
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const double waves = factor * layer.waves[i];
-        const double decay = lane::exp_decay(-2.0 * std::numbers::pi * layer.q.im[i] * waves);
-        store(out, i, decay * lane::cis_turns(layer.q.re[i] * waves));
-    }
-}
-
-/// One layer of one row, and its phase on to the next row.
-NACRE_VECTOR_CLONES void march_layer(Fold& fold, const ScaledStack::Layer& layer,
-                                     ComplexLanes& phase, const ComplexLanes& turn)
-{
-#pragma GCC ivdep
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        const C half_pass = load(phase, i), E = half_pass * half_pass;
-        const C half_sum{0.5 + 0.5 * E.re, 0.5 * E.im}, m{0.5 - 0.5 * E.re, -0.5 * E.im};
-        const C m_times_q = m * load(layer.q, i), m_over_q = m * load(layer.inverse_q, i);
-        step(fold.s, i, half_sum, m_times_q, m_over_q);
-        step(fold.p, i, half_sum, m_times_q * load(layer.inverse_n2, i),
-             m_over_q * load(layer.n2, i));
-        store(fold.passed, i, load(fold.passed, i) * half_pass);
-        store(phase, i, half_pass * load(turn, i));
-    }
-}
-
 }  // namespace
 
 void stack_batch(const LaneStack& stack, BatchResponse& response) noexcept
 {
     Fold fold;
     begin_fold(fold, stack);
-    for (auto layer = stack.layers.rbegin(); layer != stack.layers.rend(); ++layer)
-        fold_layer(fold, stack, *layer);
-    finish_fold(response, fold, stack);
     response.doubt.fill(0.0);
-    for (const LaneLayer& layer : stack.layers) add_doubt(response.doubt, stack, layer);
+    ScaledStack::Layer prepared;
+    for (auto layer = stack.layers.rbegin(); layer != stack.layers.rend(); ++layer) {
+        prepare_layer(prepared, stack, *layer);
+        fold_layer(fold, prepared);
+        add_doubt(response.doubt, stack, *layer, prepared);
+    }
+    finish_fold(response, fold, stack);
 }
 
 PhaseMap::PhaseMap(const LaneStack& stack, std::size_t varying) noexcept
@@ -377,8 +380,10 @@ void ScaledStack::march(double first, double step, std::span<Lanes> R, std::span
     BatchResponse response;
     for (std::size_t row = 0; row < R.size(); ++row) {
         fold = ground;
-        for (std::size_t j = layers_.size(); j-- > 0;)
-            march_layer(fold, layers_[j], phase[j], turn[j]);
+        for (std::size_t j = layers_.size(); j-- > 0;) {
+            step_fields(fold.s, fold.p, fold.passed, layers_[j], phase[j]);
+            turn_on(phase[j], turn[j]);
+        }
         finish_fold(response, fold, ends_);
         for (std::size_t i = 0; i < kLanes; ++i) {
             R[row][i] = 0.5 * (response.s.R[i] + response.p.R[i]);

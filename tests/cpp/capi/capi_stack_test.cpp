@@ -113,6 +113,103 @@ TEST(CapiStack, AnItemDoesNotDependOnItsBatch)
     }
 }
 
+/// 3 thicknesses × 40 angles × 25 wavelengths, dispersive: each argument stored once.
+struct Grid {
+    std::vector<std::size_t> shape{3, 40, 25};
+    std::size_t n_steps[3]{0, 0, 1}, d_steps[3]{1, 0, 0}, angle_steps[3]{0, 1, 0};
+    std::vector<double> n, d_nm{20.0, 90.0, 240.0}, angle, wavelength;
+    std::vector<double> power = std::vector<double>(9000, -7.0), amplitudes{};
+
+    Grid()
+    {
+        for (int i = 0; i < 25; ++i) {
+            wavelength.push_back(380.0 + 16.0 * i);
+            n.insert(n.end(),
+                     {1.0, 0.0, 2.1 + 1e4 / (wavelength[i] * wavelength[i]), 0.02, 1.5, 0.0});
+        }
+        for (int i = 0; i < 40; ++i) angle.push_back(2.2 * i);
+        amplitudes.assign(12000, -7.0);
+    }
+    nacre_status operator()(const size_t* lengths, const size_t* steps_of_n)
+    {
+        return nacre_stack_grid(shape.size(), lengths, 1, {n.data(), steps_of_n},
+                                {d_nm.data(), d_steps}, {angle.data(), angle_steps},
+                                {wavelength.data(), n_steps}, nullptr, NACRE_P, power.data(),
+                                amplitudes.data());
+    }
+    nacre_status operator()() { return (*this)(shape.data(), n_steps); }
+};
+
+TEST(CapiStackGrid, GivesTheBitsOfEachItemByItself)
+{
+    Grid grid;
+    ASSERT_EQ(grid(), NACRE_OK);
+    for (std::size_t item = 0; item < 3000; ++item) {
+        const std::size_t d = item / 1000, a = item / 25 % 40, w = item % 25;
+        double power[3], amplitudes[4];
+        ASSERT_EQ(nacre_stack(1, 1, &grid.n[6 * w], &grid.d_nm[d], &grid.angle[a],
+                              &grid.wavelength[w], nullptr, NACRE_P, power, amplitudes),
+                  NACRE_OK);
+        ASSERT_EQ(std::memcmp(power, &grid.power[3 * item], sizeof power), 0) << item;
+        ASSERT_EQ(std::memcmp(amplitudes, &grid.amplitudes[4 * item], sizeof amplitudes), 0)
+            << item;
+    }
+}
+
+TEST(CapiStackGrid, WithoutAxesIsOneItem)
+{
+    Grid grid;
+    double alone[3];
+    const nacre_grid_array n{grid.n.data(), nullptr}, d{grid.d_nm.data(), nullptr};
+    const nacre_grid_array angle{grid.angle.data(), nullptr};
+    const nacre_grid_array wavelength{grid.wavelength.data(), nullptr};
+    ASSERT_EQ(
+        nacre_stack_grid(0, nullptr, 1, n, d, angle, wavelength, nullptr, NACRE_P, alone, nullptr),
+        NACRE_OK);
+    ASSERT_EQ(grid(), NACRE_OK);
+    EXPECT_EQ(std::memcmp(alone, grid.power.data(), sizeof alone), 0);
+}
+
+TEST(CapiStackGrid, AnEmptyAxisIsNoError)
+{
+    Grid grid;
+    grid.shape[1] = 0;
+    EXPECT_EQ(grid(), NACRE_OK);
+    EXPECT_EQ(grid.power[0], -7.0);
+}
+
+// The first item that the wrong element belongs to, counted as in the results.
+TEST(CapiStackGrid, RefusesBadElementsByTheirFirstItem)
+{
+    const auto with = [](auto&& change) {
+        Grid grid;
+        change(grid);
+        EXPECT_EQ(grid(), NACRE_INPUT);
+        EXPECT_EQ(grid.power[0], -7.0);
+        return std::string(nacre_last_error());
+    };
+    EXPECT_EQ(with([](Grid& g) { g.d_nm[2] = -1.0; }),
+              "d_nm[0]: must be finite and ≥ 0 (got -1) (item 2000)");
+    EXPECT_EQ(with([](Grid& g) { g.angle[39] = 90.0; }),
+              "angle_deg: must be in [0, 90) (got 90) (item 975)");
+    EXPECT_EQ(with([](Grid& g) { g.wavelength[24] = kNan; }),
+              "wavelength_nm: must be finite and > 0 (got nan) (item 24)");
+    EXPECT_EQ(with([](Grid& g) {
+                  g.n[6 * 3 + 4] = -1.5;
+                  g.angle[1] = -2.0;
+              }),
+              "n[2]: real part must be > 0 (got -1.5+0i) (item 3)");
+}
+
+TEST(CapiStackGrid, RefusesNull)
+{
+    Grid grid;
+    EXPECT_EQ(grid(nullptr, grid.n_steps), NACRE_INPUT);
+    EXPECT_STREQ(nacre_last_error(), "shape: must not be null");
+    EXPECT_EQ(grid(grid.shape.data(), nullptr), NACRE_INPUT);
+    EXPECT_STREQ(nacre_last_error(), "n: must not be null");
+}
+
 TEST(CapiStack, NoItemsAreNoError)
 {
     EXPECT_EQ(
