@@ -8,15 +8,11 @@ five pixels wide; its middle column looks along the plane x = 0.
 
 from __future__ import annotations
 
-import importlib
-import json
 import math
-import sys
-from pathlib import Path
 
 import bpy
 from mathutils import Vector
-from worker_support import load_extension
+from worker_support import extension, render_picture, run_jobs
 
 WIDTH = 5
 
@@ -47,38 +43,23 @@ def add_camera(scene: bpy.types.Scene, job: dict) -> None:
     scene.camera = camera
 
 
-def render(package: str, job: dict) -> None:
-    part = {
-        name: importlib.import_module(f"{package}.{name}")
-        for name in ("core.library", "nodes.material", "nodes.scene", "output")
-    }
+def render(job: dict) -> None:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
-    compiled = part["core.library"].Library.default().load(job["material"])
-    material = part["nodes.material"].create_material(compiled, "osl")
-    part["nodes.material"].set_values(material, {"roughness": 0.05})
-    part["nodes.scene"].use_osl(scene)
-    part["nodes.scene"].use_wavelengths(scene)
+    compiled = extension("core.library").Library.default().load(job["material"])
+    material = extension("nodes.material").create_material(compiled, "osl")
+    extension("nodes.material").set_values(material, {"roughness": 0.05})
+    extension("nodes.scene").use_osl(scene)
+    extension("nodes.scene").use_wavelengths(scene)
     disc = add_disc()
     disc.data.materials.append(material)
     add_lamp(scene, job["lamp"])
     add_camera(scene, job)
-    scene.render.resolution_x, scene.render.resolution_y = WIDTH, job["height"]
-    scene.render.resolution_percentage = 100
     scene.cycles.pixel_filter_type = "BOX"
     scene.cycles.filter_width = 1.0
-    scene.cycles.samples = job["samples"]
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
-    bpy.ops.render.render()
-    part["output"].Writer(scene).save(Path(job["file"]))
+    render_picture(scene, WIDTH, job["height"], job["samples"], job["file"])
 
 
-def main() -> None:
-    package = load_extension()
-    for job in json.loads(Path(sys.argv[1]).read_text()):
-        render(package, job)
-
-
-main()
+run_jobs(render)

@@ -9,14 +9,10 @@ shader for the substrate has no film, the picture is -1.
 
 from __future__ import annotations
 
-import importlib
-import json
-import sys
-from pathlib import Path
 from types import SimpleNamespace
 
 import bpy
-from worker_support import load_extension
+from worker_support import extension, render_picture, run_jobs
 
 SIZE = 24
 
@@ -79,39 +75,25 @@ def live_film(job: dict, script) -> bpy.types.Material:
     return connect(material, node, output)
 
 
-def render(package: str, job: dict) -> None:
-    part = {
-        name: importlib.import_module(f"{package}.{name}")
-        for name in ("core.library", "nodes.material", "nodes.scene", "nodes.script", "scenes", "output")
-    }  # fmt: skip
-    stage = part["scenes"].build_stage("furnace")
+def render(job: dict) -> None:
+    stage = extension("scenes").build_stage("furnace")
     scene = stage.scene
     if job["shader"] == "blender":
         material = blender_film(job)
     elif job["shader"] == "live":
-        material = live_film(job, part["nodes.script"])
-        part["nodes.scene"].use_osl(scene)
+        material = live_film(job, extension("nodes.script"))
+        extension("nodes.scene").use_osl(scene)
     else:
-        compiled = part["core.library"].Library.default().load(job["material"])
-        material = part["nodes.material"].create_material(compiled, "nodes")
+        compiled = extension("core.library").Library.default().load(job["material"])
+        material = extension("nodes.material").create_material(compiled, "nodes")
         values = {job["thickness_socket"]: job["thickness_nm"], "roughness": 0.0}
-        part["nodes.material"].set_values(material, values)
+        extension("nodes.material").set_values(material, values)
     if material is None:
         scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = -1.0
     else:
         stage.place(material)
-    scene.render.resolution_x = scene.render.resolution_y = SIZE
-    scene.render.resolution_percentage = 100
-    scene.cycles.samples = 1  # at the centre of a pixel, where the truth is evaluated
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
-    bpy.ops.render.render()
-    part["output"].Writer(scene).save(Path(job["file"]))
+    # One sample, at the centre of a pixel, where the truth is evaluated.
+    render_picture(scene, SIZE, SIZE, 1, job["file"])
 
 
-def main() -> None:
-    package = load_extension()
-    for job in json.loads(Path(sys.argv[1]).read_text()):
-        render(package, job)
-
-
-main()
+run_jobs(render)

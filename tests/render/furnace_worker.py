@@ -10,13 +10,8 @@ sphere from outside only, so that light crosses one wall.)
 
 from __future__ import annotations
 
-import importlib
-import json
-import sys
-from pathlib import Path
-
 import bpy
-from worker_support import load_extension
+from worker_support import extension, render_picture, run_jobs
 
 # Enough for what is left inside a sphere of diamond to be nothing.
 BOUNCES = ("max_bounces", "glossy_bounces", "transmission_bounces", "transparent_max_bounces")
@@ -42,38 +37,23 @@ def light_by_transparent_depth(world: bpy.types.World, depth: int) -> None:
     tree.links.new(straight.outputs[0], background.inputs["Strength"])
 
 
-def render(package: str, job: dict) -> None:
-    part = {
-        name: importlib.import_module(f"{package}.{name}")
-        for name in ("core.library", "nodes.material", "nodes.scene", "scenes", "output")
-    }
-    compiled = part["core.library"].Library.default().load(job["material"])
-    stage = part["scenes"].build_stage("furnace")
+def render(job: dict) -> None:
+    compiled = extension("core.library").Library.default().load(job["material"])
+    stage = extension("scenes").build_stage("furnace")
     scene = stage.scene
-    material = part["nodes.material"].create_material(compiled, job["form"])
-    part["nodes.material"].set_values(material, job["values"])
+    material = extension("nodes.material").create_material(compiled, job["form"])
+    extension("nodes.material").set_values(material, job["values"])
     stage.place(material)
     if job["form"] == "osl":
-        part["nodes.scene"].use_osl(scene)
+        extension("nodes.scene").use_osl(scene)
         if compiled.wavelength_per_path:
-            part["nodes.scene"].use_wavelengths(scene)
+            extension("nodes.scene").use_wavelengths(scene)
     if job["lit"] != "all":
         light_by_transparent_depth(scene.world, 0 if job["lit"] == "reflected" else 1)
-    scene.render.resolution_x = scene.render.resolution_y = job["size"]
-    scene.render.resolution_percentage = 100
-    scene.cycles.samples = job["samples"]
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
     scene.cycles.seed = 0
     for bounces in BOUNCES:
         setattr(scene.cycles, bounces, 64)
-    bpy.ops.render.render()
-    part["output"].Writer(scene).save(Path(job["file"]))
+    render_picture(scene, job["size"], job["size"], job["samples"], job["file"])
 
 
-def main() -> None:
-    package = load_extension()
-    for job in json.loads(Path(sys.argv[1]).read_text()):
-        render(package, job)
-
-
-main()
+run_jobs(render)

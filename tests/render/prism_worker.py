@@ -9,16 +9,13 @@ what each direction of the world is worth; its parameter `line_nm` is set.
 from __future__ import annotations
 
 import hashlib
-import importlib
-import json
 import math
-import sys
 import tempfile
 from pathlib import Path
 
 import bpy
 from mathutils import Matrix, Vector
-from worker_support import load_extension
+from worker_support import extension, render_picture, run_jobs
 
 import _cycles  # isort: skip
 
@@ -67,18 +64,14 @@ def light(scene: bpy.types.Scene, source: str, line_nm: float) -> None:
     world.node_tree.links.new(node.outputs[0], background.inputs["Color"])
 
 
-def render(package: str, job: dict) -> None:
-    part = {
-        name: importlib.import_module(f"{package}.{name}")
-        for name in ("core.library", "nodes.material", "nodes.scene", "output")
-    }
+def render(job: dict) -> None:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
-    compiled = part["core.library"].Library.default().load(job["material"])
-    material = part["nodes.material"].create_material(compiled, "osl")
-    part["nodes.scene"].use_osl(scene)
-    part["nodes.scene"].use_wavelengths(scene)
+    compiled = extension("core.library").Library.default().load(job["material"])
+    material = extension("nodes.material").create_material(compiled, "osl")
+    extension("nodes.scene").use_osl(scene)
+    extension("nodes.scene").use_wavelengths(scene)
     incidence, apex = math.radians(job["incidence_deg"]), math.radians(job["apex_deg"])
     for item in (
         face(scene, Vector((0, 0, 0)), incidence, up=True),
@@ -87,19 +80,8 @@ def render(package: str, job: dict) -> None:
         item.data.materials.append(material)
     light(scene, job["world"], job["line_nm"])
     add_camera(scene)
-    scene.render.resolution_x = scene.render.resolution_y = 4
-    scene.render.resolution_percentage = 100
-    scene.cycles.samples = job["samples"]
-    scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
-    bpy.ops.render.render()
-    part["output"].Writer(scene).save(Path(job["file"]))
+    render_picture(scene, 4, 4, job["samples"], job["file"])
 
 
-def main() -> None:
-    package = load_extension()
-    for job in json.loads(Path(sys.argv[1]).read_text()):
-        render(package, job)
-
-
-main()
+run_jobs(render)
