@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "guard.h"
 #include "nacre/optics/multilayer.h"
@@ -17,6 +19,7 @@ namespace {
 
 using optics::Complex;
 using optics::kLanes;
+using optics::Lanes;
 using optics::Polarisation;
 
 /// Where the data of one item are.
@@ -218,109 +221,181 @@ void set(optics::ComplexLanes& lanes, std::size_t i, Complex value)
     lanes.im[i] = value.imag();
 }
 
-void set_media(optics::LaneStack& stack, std::size_t i, const Item& item)
+void set_stack(optics::LaneStack& stack, std::size_t i, const Item& item)
 {
     stack.n_0[i] = item.index(0).real();
     set(stack.above, i, item.index(0));
     set(stack.below, i, item.index(stack.layers.size() + 1));
-    for (std::size_t j = 0; j < stack.layers.size(); ++j)
+    for (std::size_t j = 0; j < stack.layers.size(); ++j) {
         set(stack.layers[j].n, i, item.index(j + 1));
-}
-
-optics::PowerRatios power(const optics::LaneResponse& response, std::size_t i)
-{
-    return {.R = response.R[i], .T = response.T[i], .A = 1.0 - response.R[i] - response.T[i]};
-}
-
-void store(const Stacks& in, std::size_t item, const optics::BatchResponse& response, std::size_t i)
-{
-    const optics::PowerRatios s = power(response.s, i), p = power(response.p, i);
-    if (in.polarisation == NACRE_UNPOLARISED) {
-        store_power(in, item,
-                    {.R = 0.5 * (s.R + p.R), .T = 0.5 * (s.T + p.T), .A = 0.5 * (s.A + p.A)});
-        return;
+        stack.layers[j].waves[i] = item.d_nm[j] / item.wavelength_nm;
     }
-    const auto& chosen = in.polarisation == NACRE_S ? response.s : response.p;
-    store_power(in, item, in.polarisation == NACRE_S ? s : p);
-    store_amplitudes(in, item, {chosen.r.re[i], chosen.r.im[i]}, {chosen.t.re[i], chosen.t.im[i]});
 }
 
 /// Lanes in double precision; an item whose result would lose more than this is computed again in
 /// extended precision, so that every result is good to 1e-12.
-constexpr double kDoubtAllowed = 4e-14;
+constexpr double kDoubtAllowed = 4e-13;
 
-/// Batches of lanes, one after the other.
-class BatchSolver {
+/// Where one item has its results and its cosine.
+struct Place {
+    std::size_t item = 0, cosine = 0;
+};
+Place operator+(Place a, Place b)
+{
+    return {a.item + b.item, a.cosine + b.cosine};
+}
+
+/// Items of a grid in the order in which they are solved: 32 stacks side by side, and then the same
+/// stacks at the next angle.
+class GridOrder {
 public:
-    explicit BatchSolver(const Stacks& in) : in_(in), shared_media_(in.shared(in.n))
+    explicit GridOrder(const Stacks& in)
     {
-        stack_.layers.resize(in.layers);
-        if (!shared_media_) return;
-        const Item any = *ItemCursor(in, 0);
-        for (std::size_t i = 0; i < kLanes; ++i) set_media(stack_, i, any);
+        const auto only_angle_moves = [&in](std::size_t axis) {
+            return in.n.steps[axis] == 0 && in.wavelength_nm.steps[axis] == 0 &&
+                   in.d_nm.steps[axis] == 0;
+        };
+        split(in, only_angle_moves);
+        // A few stacks would leave most lanes idle.
+        if (stacks_.count < kLanes / 2) split(in, [](std::size_t) { return false; });
     }
 
-    /// Items first … last − 1, at most kLanes; lanes past the end repeat the last one.
-    void solve(ItemCursor& cursor, std::size_t first, std::size_t last)
-    {
-        const std::size_t count = last - first;
-        for (std::size_t i = 0; i < count; ++i, cursor.advance()) items_[i] = *cursor;
-        std::fill(items_.begin() + static_cast<std::ptrdiff_t>(count), items_.end(),
-                  items_[count - 1]);
-        fill();
-        stack_batch(stack_, response_);
-        for (std::size_t i = 0; i < count; ++i) {
-            if (response_.doubt[i] <= kDoubtAllowed)
-                store(in_, first + i, response_, i);
-            else
-                solve_one(in_, items_[i], first + i);
+    [[nodiscard]] std::size_t stacks() const { return stacks_.count; }
+    [[nodiscard]] std::size_t angles() const { return angles_.count; }
+    [[nodiscard]] Place stack(std::size_t index) const { return stacks_.place(index); }
+    [[nodiscard]] Place angle(std::size_t index) const { return angles_.place(index); }
+
+private:
+    struct Axes {
+        std::vector<std::size_t> lengths;
+        std::vector<Place> steps;
+        std::size_t count = 1;
+
+        [[nodiscard]] Place place(std::size_t index) const
+        {
+            Place result;
+            for (std::size_t axis = lengths.size(); axis-- > 0; index /= lengths[axis]) {
+                const std::size_t i = index % lengths[axis];
+                result = result + Place{i * steps[axis].item, i * steps[axis].cosine};
+            }
+            return result;
         }
+    };
+
+    template <class AnglesOnly>
+    void split(const Stacks& in, AnglesOnly&& angles_only)
+    {
+        stacks_ = angles_ = {};
+        std::size_t items = in.count;
+        for (std::size_t axis = 0; axis < in.shape.size(); ++axis) {
+            items /= in.shape[axis];
+            Axes& axes = angles_only(axis) ? angles_ : stacks_;
+            axes.lengths.push_back(in.shape[axis]);
+            axes.steps.push_back({items, in.cosine_steps[axis]});
+            axes.count *= in.shape[axis];
+        }
+    }
+
+    Axes stacks_, angles_;
+};
+
+/// 32 stacks at several angles.
+class BatchSolver {
+public:
+    BatchSolver(const Stacks& in, const GridOrder& order, std::size_t first)
+        : in_(in), order_(order), count_(std::min(kLanes, order.stacks() - first))
+    {
+        optics::LaneStack stack;
+        stack.layers.resize(in.layers);
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            // Lanes past the end repeat the last one.
+            lanes_[i] = order.stack(first + std::min(i, count_ - 1));
+            set_stack(stack, i, *ItemCursor(in, lanes_[i].item));
+        }
+        stack_.emplace(stack);
+    }
+
+    void solve(std::size_t angle)
+    {
+        const Place at = order_.angle(angle);
+        Lanes cos_0;
+        for (std::size_t i = 0; i < kLanes; ++i) cos_0[i] = in_.cosines[(lanes_[i] + at).cosine];
+        if (in_.amplitudes == nullptr)
+            stack_->power(cos_0, power_);
+        else
+            stack_->respond(cos_0, power_, amplitudes_);
+        store(at);
     }
 
 private:
-    void fill()
+    /// Of the polarisation that was asked for.
+    [[nodiscard]] optics::LanePower chosen_power() const
     {
+        if (in_.polarisation != NACRE_UNPOLARISED)
+            return in_.polarisation == NACRE_S ? power_.s : power_.p;
+        optics::LanePower mean;
         for (std::size_t i = 0; i < kLanes; ++i) {
-            stack_.cos_0[i] = items_[i].cosine;
-            if (!shared_media_) set_media(stack_, i, items_[i]);
+            mean.R[i] = 0.5 * (power_.s.R[i] + power_.p.R[i]);
+            mean.T[i] = 0.5 * (power_.s.T[i] + power_.p.T[i]);
         }
-        for (std::size_t j = 0; j < in_.layers; ++j)
-            for (std::size_t i = 0; i < kLanes; ++i)
-                stack_.layers[j].waves[i] = items_[i].d_nm[j] / items_[i].wavelength_nm;
+        return mean;
+    }
+
+    void store(Place at)
+    {
+        const auto [R, T] = chosen_power();
+        const auto& [r, t] = in_.polarisation == NACRE_S ? amplitudes_.s : amplitudes_.p;
+        for (std::size_t i = 0; i < count_; ++i) {
+            const std::size_t item = (lanes_[i] + at).item;
+            if (power_.doubt[i] > kDoubtAllowed) {
+                solve_one(in_, *ItemCursor(in_, item), item);
+                continue;
+            }
+            store_power(in_, item, {.R = R[i], .T = T[i], .A = 1.0 - R[i] - T[i]});
+            store_amplitudes(in_, item, {r.re[i], r.im[i]}, {t.re[i], t.im[i]});
+        }
     }
 
     const Stacks& in_;
-    bool shared_media_;
-    std::array<Item, kLanes> items_{};
-    optics::LaneStack stack_;
-    optics::BatchResponse response_;
+    const GridOrder& order_;
+    std::size_t count_;
+    std::array<Place, kLanes> lanes_{};
+    std::optional<optics::PreparedStack> stack_;
+    optics::BatchPower power_;
+    optics::BatchAmplitudes amplitudes_;
 };
 
-void solve_range(const Stacks& in, std::size_t first, std::size_t last)
+void solve_one_by_one(const Stacks& in)
 {
-    ItemCursor cursor(in, first);
-    if (!in.all_coherent()) {
-        for (std::size_t item = first; item < last; ++item, cursor.advance())
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, in.count, 16), [&in](const auto& range) {
+        ItemCursor cursor(in, range.begin());
+        for (std::size_t item = range.begin(); item < range.end(); ++item, cursor.advance())
             solve_one(in, *cursor, item);
-        return;
-    }
-    BatchSolver solver(in);
-    for (; first < last; first += kLanes)
-        solver.solve(cursor, first, std::min(first + kLanes, last));
+    });
 }
 
 /// Each item has a place of its own in the results, so that threads do not meet.
 void solve(const Stacks& in)
 {
-    constexpr std::size_t kRange = 16 * kLanes;  ///< well above what starting a task costs
-    const std::size_t ranges = (in.count + kRange - 1) / kRange;
-    const auto solve_one_range = [&in](std::size_t range) {
-        solve_range(in, range * kRange, std::min((range + 1) * kRange, in.count));
+    if (!in.all_coherent()) {
+        solve_one_by_one(in);
+        return;
+    }
+    constexpr std::size_t kAngles = 32;  ///< well above what preparing the stacks costs
+    const GridOrder order(in);
+    const std::size_t batches = (order.stacks() + kLanes - 1) / kLanes;
+    const std::size_t ranges = (order.angles() + kAngles - 1) / kAngles;
+    const auto solve_tile = [&](std::size_t tile) {
+        BatchSolver solver(in, order, tile / ranges * kLanes);
+        const std::size_t first = tile % ranges * kAngles;
+        for (std::size_t a = first; a < std::min(first + kAngles, order.angles()); ++a)
+            solver.solve(a);
     };
-    if (ranges == 1)
-        solve_one_range(0);
+    const std::size_t tiles = batches * ranges;
+    if (tiles < 8)
+        for (std::size_t tile = 0; tile < tiles; ++tile) solve_tile(tile);
     else
-        tbb::parallel_for(std::size_t{0}, ranges, solve_one_range);
+        tbb::parallel_for(std::size_t{0}, tiles, solve_tile);
 }
 
 void check_and_solve(Stacks stacks)

@@ -29,7 +29,7 @@ Lanes single_pass(const LaneStack& stack, const LaneLayer& layer)
     return pass;
 }
 
-void add_packet(Intensities& sum, const LaneResponse& down, const LaneResponse& up,
+void add_packet(Intensities& sum, const LanePower& down, const LanePower& up,
                 const Lanes& pass)
 {
     for (std::size_t i = 0; i < kLanes; ++i) {
@@ -52,7 +52,7 @@ void mixed_batch(const LaneStack& stack, const std::vector<bool>& coherent, Lane
     LaneStack packet{
         .n_0 = stack.n_0, .cos_0 = stack.cos_0, .above = {}, .below = stack.below, .layers = {}};
     LaneStack reversed = packet;
-    BatchResponse down, up;
+    BatchPower down, up;
     Intensities s, p;
     s.R.fill(0.0);
     s.T.fill(1.0);

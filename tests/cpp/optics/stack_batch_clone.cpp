@@ -5,15 +5,22 @@
 // `nacre` under a name of its own, so that the copies do not meet.
 #include "stack_batch_clone.h"
 
-#include "optics/stack_batch.cpp"  // NOLINT: a copy with another macro is the point
+// NOLINTBEGIN: copies with another macro are the point
+#include "optics/angled_stack.cpp"
+#include "optics/lane_fields.cpp"
+#include "optics/phase_map.cpp"
+#include "optics/stack_batch.cpp"
+// NOLINTEND
 
 namespace nacre_clones {
 namespace {
 
-using nacre::optics::BatchResponse;
+using nacre::optics::BatchAmplitudes;
+using nacre::optics::BatchPower;
 using nacre::optics::ComplexLanes;
 using nacre::optics::kLanes;
-using nacre::optics::LaneResponse;
+using nacre::optics::LaneAmplitudes;
+using nacre::optics::LanePower;
 using nacre::optics::Lanes;
 using nacre::optics::LaneStack;
 
@@ -48,10 +55,10 @@ void append(std::vector<double>& out, const Lanes& lanes)
     out.insert(out.end(), lanes.begin(), lanes.end());
 }
 
-void append(std::vector<double>& out, const LaneResponse& response)
+void append(std::vector<double>& out, const LanePower& power, const LaneAmplitudes& amplitudes)
 {
-    for (const Lanes* lanes :
-         {&response.r.re, &response.r.im, &response.t.re, &response.t.im, &response.R, &response.T})
+    for (const Lanes* lanes : {&amplitudes.r.re, &amplitudes.r.im, &amplitudes.t.re,
+                               &amplitudes.t.im, &power.R, &power.T})
         append(out, *lanes);
 }
 
@@ -61,11 +68,12 @@ std::vector<double> NACRE_CLONE(const Input& input)
 {
     const LaneStack stack = unpack(input);
     std::vector<double> out;
-    BatchResponse response;
-    stack_batch(stack, response);
-    append(out, response.s);
-    append(out, response.p);
-    append(out, response.doubt);
+    BatchPower power;
+    BatchAmplitudes amplitudes;
+    stack_batch(stack, power, amplitudes);
+    append(out, power.s, amplitudes.s);
+    append(out, power.p, amplitudes.p);
+    append(out, power.doubt);
 
     std::vector<Lanes> R(kRows), T(kRows);
     const auto append_rows = [&] {

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -34,8 +34,11 @@ Input random_input(std::size_t layers, unsigned seed)
     return input;
 }
 
-void expect_same_bits(Kernels kernels)
+/// Fused products change roundings only: 1e-13, and near a critical angle what `doubt` says there.
+void expect_same_results(Kernels kernels)
 {
+    constexpr std::size_t kLanes = nacre::optics::kLanes;
+    constexpr std::size_t kDoubt = 12;  ///< place among the blocks of 32 numbers
     for (const std::size_t layers : {0, 1, 2, 5, 16}) {
         for (unsigned seed = 0; seed < 20; ++seed) {
             const Input input = random_input(layers, seed);
@@ -43,8 +46,9 @@ void expect_same_bits(Kernels kernels)
             ASSERT_EQ(found.size(), expected.size());
             for (std::size_t i = 0; i < expected.size(); ++i) {
                 ASSERT_TRUE(std::isfinite(expected[i])) << i;
-                ASSERT_EQ(std::bit_cast<std::uint64_t>(found[i]),
-                          std::bit_cast<std::uint64_t>(expected[i]))
+                const double doubt = expected[kDoubt * kLanes + i % kLanes];
+                ASSERT_NEAR(found[i], expected[i],
+                            (1e-13 + doubt) * std::max(1.0, std::abs(expected[i])))
                     << "number " << i << ", " << layers << " layers, seed " << seed;
             }
         }
@@ -52,21 +56,21 @@ void expect_same_bits(Kernels kernels)
 }
 
 #if defined(__x86_64__)
-TEST(StackBatchClones, Avx2GivesTheBitsOfThePortableCode)
+TEST(StackBatchClones, Avx2AgreesWithThePortableCode)
 {
-    if (!__builtin_cpu_supports("avx2")) GTEST_SKIP() << "this machine has no AVX2";
-    expect_same_bits(run_avx2);
+    if (!__builtin_cpu_supports("x86-64-v3")) GTEST_SKIP() << "this machine has no AVX2 with FMA";
+    expect_same_results(run_avx2);
 }
 
-TEST(StackBatchClones, Avx512GivesTheBitsOfThePortableCode)
+TEST(StackBatchClones, Avx512AgreesWithThePortableCode)
 {
-    if (!__builtin_cpu_supports("avx512f")) GTEST_SKIP() << "this machine has no AVX-512";
-    expect_same_bits(run_avx512);
+    if (!__builtin_cpu_supports("x86-64-v4")) GTEST_SKIP() << "this machine has no AVX-512";
+    expect_same_results(run_avx512);
 }
 #endif
 
 // What the library itself chose, through its public functions.
-TEST(StackBatchClones, TheLibraryGivesTheBitsOfThePortableCode)
+TEST(StackBatchClones, TheLibraryAgreesWithThePortableCode)
 {
     const Input input = random_input(3, 99);
     const std::vector<double> expected = run_portable(input);
@@ -87,15 +91,13 @@ TEST(StackBatchClones, TheLibraryGivesTheBitsOfThePortableCode)
         copy(5 + 3 * j, stack.layers[j].n.im);
         copy(6 + 3 * j, stack.layers[j].waves);
     }
-    nacre::optics::BatchResponse response;
-    stack_batch(stack, response);
+    nacre::optics::BatchPower power;
+    nacre::optics::BatchAmplitudes amplitudes;
+    stack_batch(stack, power, amplitudes);
     for (std::size_t i = 0; i < kLanes; ++i) {
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(response.s.r.re[i]),
-                  std::bit_cast<std::uint64_t>(expected[i]));
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(response.p.T[i]),
-                  std::bit_cast<std::uint64_t>(expected[11 * kLanes + i]));
-        EXPECT_EQ(std::bit_cast<std::uint64_t>(response.doubt[i]),
-                  std::bit_cast<std::uint64_t>(expected[12 * kLanes + i]));
+        const double allowed = 1e-13 + power.doubt[i];
+        EXPECT_NEAR(amplitudes.s.r.re[i], expected[i], allowed);
+        EXPECT_NEAR(power.p.T[i], expected[11 * kLanes + i], allowed);
     }
 }
 

@@ -4,15 +4,16 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
 /// @file
 /// Many stacks of one depth at once, in double precision, for tables and arrays.
 ///
-/// A lane is one (wavelength, angle, …). The loops over lanes are free of branches and library
-/// calls, so that the compiler turns them into vector code for the widest unit of the machine;
-/// without contraction or reordering the results are the same bits on every one of them.
+/// A lane is one (wavelength, angle, …). The work is done in vectors of lanes for the instruction set
+/// that the machine has; from one to another results differ by roundings, far below 1e-13. The place
+/// of a lane, its neighbours and the number of threads never change a bit.
 
 namespace nacre::optics {
 
@@ -37,21 +38,54 @@ struct LaneStack {
     std::vector<LaneLayer> layers;
 };
 
-/// Ratios of E (r, t) and of power (R, T).
-struct LaneResponse {
-    ComplexLanes r, t;
+/// Ratios of power.
+struct LanePower {
     Lanes R, T;
 };
 
-struct BatchResponse {
-    LaneResponse s, p;
+struct BatchPower {
+    LanePower s, p;
     /// Bound on what double precision loses in R, T, r, t, near a critical angle inside the stack
     /// and in thick layers; where it is too much, take `stack_amplitudes`.
     Lanes doubt;
 };
 
-/// Agrees with `stack_amplitudes` to 1e-13 times the number of layers, apart from `doubt`.
-void stack_batch(const LaneStack& stack, BatchResponse& response) noexcept;
+/// Ratios of E at the outer faces.
+struct LaneAmplitudes {
+    ComplexLanes r, t;
+};
+
+struct BatchAmplitudes {
+    LaneAmplitudes s, p;
+};
+
+namespace detail {
+class AngledStack;
+}
+
+/// Stacks whose indices and thicknesses stay while the angle changes. What does not depend on the
+/// angle is worked out once; layers of one medium share its root, layers of one medium and thickness
+/// their phase. Agrees with `stack_amplitudes` to 1e-13 times the number of layers, apart from
+/// `doubt`. One object for one thread.
+class PreparedStack {
+public:
+    /// @param stack  its `cos_0` is not read
+    explicit PreparedStack(const LaneStack& stack);
+    PreparedStack(PreparedStack&&) noexcept;
+    PreparedStack& operator=(PreparedStack&&) noexcept;
+    ~PreparedStack();
+
+    void power(const Lanes& cos_0, BatchPower& out);
+    void respond(const Lanes& cos_0, BatchPower& power, BatchAmplitudes& amplitudes);
+
+private:
+    struct Work;
+    std::unique_ptr<Work> work_;
+};
+
+/// One angle.
+void stack_batch(const LaneStack& stack, BatchPower& power);
+void stack_batch(const LaneStack& stack, BatchPower& power, BatchAmplitudes& amplitudes);
 
 /// Mean of s and p of a stack in which some layers are incoherent, as `stack_power`.
 /// @pre coherent.size() == stack.layers.size()
@@ -64,7 +98,7 @@ void mixed_batch(const LaneStack& stack, const std::vector<bool>& coherent, Lane
 class PhaseMap {
 public:
     /// @param varying  index of the layer whose thickness is free; its `waves` are not read
-    PhaseMap(const LaneStack& stack, std::size_t varying) noexcept;
+    PhaseMap(const LaneStack& stack, std::size_t varying);
 
     /// Mean of s and p at `R.size()` equal steps of thickness; both arguments are thickness over
     /// wavelength, ≥ 0. The phase is multiplied on, so that a row costs no trigonometry; its error
@@ -82,24 +116,21 @@ private:
     ComplexLanes q_;
 };
 
-/// Reflectance and transmittance as a function of a factor on every thickness. Indices, admittances
-/// and the phases of one step are worked out once; a row then costs only the recursion.
+/// Reflectance and transmittance as a function of a factor on every thickness. Roots and the phases
+/// of one step are worked out once; a row then costs only the recursion.
 class ScaledStack {
 public:
     explicit ScaledStack(const LaneStack& stack);
+    ScaledStack(ScaledStack&&) noexcept;
+    ScaledStack& operator=(ScaledStack&&) noexcept;
+    ~ScaledStack();
 
     /// Mean of s and p at the factors first, first + step, …
     /// @pre R.size() == T.size(), first ≥ 0, step ≥ 0
     void march(double first, double step, std::span<Lanes> R, std::span<Lanes> T) const;
 
-    struct Layer {
-        ComplexLanes q, inverse_q, n2, inverse_n2;
-        Lanes waves;
-    };
-
 private:
-    LaneStack ends_;  ///< without its layers
-    std::vector<Layer> layers_;
+    std::unique_ptr<detail::AngledStack> stack_;
 };
 
 }  // namespace nacre::optics

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "angled_stack.h"
+
+namespace nacre::optics::detail {
+namespace {
+
+bool equal(const ComplexLanes& a, const ComplexLanes& b)
+{
+    return a.re == b.re && a.im == b.im;
+}
+
+void set_to_nothing(LaneTrip& trip)
+{
+    for (ComplexLanes* phase : {&trip.half, &trip.E}) {
+        phase->re.fill(1.0);
+        phase->im.fill(0.0);
+    }
+}
+
+}  // namespace
+
+AngledStack::AngledStack(const LaneStack& stack)
+    : n_0_(stack.n_0), n_above_(stack.above), n_below_(stack.below)
+{
+    std::vector<const ComplexLanes*> order{&stack.above}, known;
+    for (const LaneLayer& layer : stack.layers) order.push_back(&layer.n);
+    order.push_back(&stack.below);
+
+    for (const ComplexLanes* n : order) medium_of_.push_back(keep_medium(stack, known, *n));
+    ratios_.resize(order.size() - 1);
+    for (std::size_t j = 0; j < ratios_.size(); ++j)
+        prepare_interface(ratios_[j], *order[j], *order[j + 1]);
+    for (std::size_t j = 0; j < stack.layers.size(); ++j)
+        passage_of_.push_back(keep_passage(medium_of_[j + 1], stack.layers[j].waves));
+    roots_.resize(media_.size());
+}
+
+std::size_t AngledStack::keep_medium(const LaneStack& stack,
+                                     std::vector<const ComplexLanes*>& known, const ComplexLanes& n)
+{
+    for (std::size_t m = 0; m < known.size(); ++m)
+        if (equal(*known[m], n)) return m;
+    known.push_back(&n);
+    prepare_medium(media_.emplace_back(), n, stack.n_0);
+    return known.size() - 1;
+}
+
+std::size_t AngledStack::keep_passage(std::size_t medium, const Lanes& waves)
+{
+    for (std::size_t p = 0; p < passages_.size(); ++p)
+        if (passages_[p].medium == medium && passages_[p].waves == waves) return p;
+    passages_.push_back({medium, waves});
+    return passages_.size() - 1;
+}
+
+void AngledStack::turn_to(const Lanes& cos_0)
+{
+    for (std::size_t m = 0; m < media_.size(); ++m) find_root(roots_[m], media_[m], n_0_, cos_0);
+}
+
+void AngledStack::find_trips(std::vector<LaneTrip>& trips, double factor) const
+{
+    trips.resize(passages_.size() + 1);
+    for (std::size_t p = 0; p < passages_.size(); ++p)
+        find_trip(trips[p], roots_[passages_[p].medium], passages_[p].waves, factor);
+    set_to_nothing(trips.back());
+}
+
+std::vector<Crossing> AngledStack::crossings(const std::vector<LaneTrip>& trips, std::size_t first,
+                                             std::size_t last) const
+{
+    std::vector<Crossing> result;
+    for (std::size_t j = first; j < last; ++j)
+        result.push_back({.q_1 = &q(j),
+                          .q_2 = &q(j + 1),
+                          .ratio = &ratios_[j],
+                          .trip = j == first ? &trips.back() : &trips[passage_of_[j - 1]]});
+    return result;
+}
+
+void AngledStack::doubt(Lanes& out) const
+{
+    out.fill(0.0);
+    for (std::size_t j = 0; j < layers(); ++j)
+        add_doubt(out, roots_[medium_of_[j + 1]], passages_[passage_of_[j]].waves);
+}
+
+}  // namespace nacre::optics::detail

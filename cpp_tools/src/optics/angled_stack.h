@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "lane_fields.h"
+
+namespace nacre::optics::detail {
+
+/// 32 stacks and what their media make of one angle; equal media and equal layers are kept once.
+class AngledStack {
+public:
+    /// Without an angle.
+    explicit AngledStack(const LaneStack& stack);
+
+    void turn_to(const Lanes& cos_0);
+
+    /// Passages of the layers at `factor` times their thickness; the last one is through
+    /// nothing.
+    void find_trips(std::vector<LaneTrip>& trips, double factor) const;
+    /// Interfaces first … last − 1, counted from the ambient's; above interface j > `first` lies
+    /// layer j − 1. What lies above the first is not passed through.
+    [[nodiscard]] std::vector<Crossing> crossings(const std::vector<LaneTrip>& trips,
+                                                  std::size_t first, std::size_t last) const;
+
+    [[nodiscard]] std::size_t layers() const { return passage_of_.size(); }
+    [[nodiscard]] const ComplexLanes& q(std::size_t medium) const
+    {
+        return roots_[medium_of_[medium]].q;
+    }
+    [[nodiscard]] LaneEnds ends() const
+    {
+        return {&n_above_, &n_below_, &q(0), &q(layers() + 1)};
+    }
+    void doubt(Lanes& out) const;
+
+private:
+    struct Passage {
+        std::size_t medium;
+        Lanes waves;
+    };
+
+    std::size_t keep_medium(const LaneStack& stack, std::vector<const ComplexLanes*>& known,
+                            const ComplexLanes& n);
+    std::size_t keep_passage(std::size_t medium, const Lanes& waves);
+
+    Lanes n_0_;
+    ComplexLanes n_above_, n_below_;
+    std::vector<LaneMedium> media_;
+    std::vector<std::size_t> medium_of_;  ///< ambient, layers, substrate
+    std::vector<ComplexLanes> ratios_;    ///< of each interface
+    std::vector<Passage> passages_;
+    std::vector<std::size_t> passage_of_;  ///< of each layer
+    std::vector<LaneRoot> roots_;          ///< of media_
+};
+
+}  // namespace nacre::optics::detail

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "lane_fields.h"
+
+#include <array>
+
+#include "simd.h"
+
+namespace nacre::optics::detail {
+namespace {
+
+using simd::C;
+using simd::kWidth;
+using simd::load;
+using simd::store;
+using simd::V;
+
+/// 64 layers between indices of 1e6 and 1e-6 stay within a double's range in steps of this many.
+constexpr std::size_t kNormaliseEvery = 8;
+
+/// Waves of one polarisation in registers.
+template <std::size_t Count>
+struct Registers {
+    std::array<C, Count> a, b, passed;
+
+    NACRE_INLINE void cross(C q_1, C q_2)
+    {
+        for (std::size_t w = 0; w < Count; ++w) {
+            const C x = q_1 * (a[w] + b[w]), y = q_2 * (a[w] - b[w]);
+            a[w] = x + y;
+            b[w] = x - y;
+        }
+    }
+    NACRE_INLINE void pass(C through, C E)
+    {
+        for (std::size_t w = 0; w < Count; ++w) {
+            b[w] = b[w] * E;
+            passed[w] = passed[w] * through;
+        }
+    }
+    /// Products of many q would overflow. Waves that belong together keep their ratios.
+    NACRE_INLINE void normalise()
+    {
+        V size{};
+        for (const C& down : a) size += simd::absolute(down.re) + simd::absolute(down.im);
+        const V scale = 1.0 / size;
+        for (std::size_t w = 0; w < Count; ++w) {
+            a[w] = scale * a[w];
+            b[w] = scale * b[w];
+            passed[w] = scale * passed[w];
+        }
+    }
+};
+
+/// The first goes down, the second up.
+template <std::size_t Count>
+NACRE_INLINE Registers<Count> one_wave_each()
+{
+    Registers<Count> waves;
+    for (std::size_t w = 0; w < Count; ++w) {
+        waves.a[w] = {V{} + (w == 0 ? 1.0 : 0.0), V{}};
+        waves.b[w] = {V{} + (w == 0 ? 0.0 : 1.0), V{}};
+        waves.passed[w] = {V{} + 1.0, V{}};
+    }
+    return waves;
+}
+
+template <std::size_t Count>
+NACRE_INLINE void carry(const std::array<LaneFields*, Count>& fields,
+                        const std::vector<Crossing>& crossings)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        Registers<Count> s = one_wave_each<Count>(), p = s;
+        for (std::size_t j = crossings.size(); j-- > 0;) {
+            const Crossing& crossing = crossings[j];
+            const C q_1 = load(*crossing.q_1, i), q_2 = load(*crossing.q_2, i);
+            s.cross(q_1, q_2);
+            p.cross(q_1, q_2 * load(*crossing.ratio, i));
+            const C E = load(crossing.trip->E, i);
+            const C doubled{q_1.re + q_1.re, q_1.im + q_1.im};
+            const C through = doubled * load(crossing.trip->half, i);
+            s.pass(through, E);
+            p.pass(through, E);
+            if (j % kNormaliseEvery == kNormaliseEvery - 1) {
+                s.normalise();
+                p.normalise();
+            }
+        }
+        for (std::size_t w = 0; w < Count; ++w) {
+            store(fields[w]->s.a, i, s.a[w]);
+            store(fields[w]->s.b, i, s.b[w]);
+            store(fields[w]->passed_s, i, s.passed[w]);
+            store(fields[w]->p.a, i, p.a[w]);
+            store(fields[w]->p.b, i, p.b[w]);
+            store(fields[w]->passed_p, i, p.passed[w]);
+        }
+    }
+}
+
+/// Re η_below / Re η_above of s and p.
+struct PowerScale {
+    V s, p;
+};
+NACRE_INLINE PowerScale power_scale(const LaneEnds& ends, std::size_t i)
+{
+    const C n_a = load(*ends.n_above, i), n_b = load(*ends.n_below, i);
+    const C q_a = load(*ends.q_above, i), q_b = load(*ends.q_below, i);
+    const C square_a = n_a * n_a, square_b = n_b * n_b;
+    // Re(q/n²) = Re(q conj(n²))/|n²|².
+    const V over_a = (q_a.re * square_a.re + q_a.im * square_a.im) * simd::norm(square_b);
+    const V over_b = (q_b.re * square_b.re + q_b.im * square_b.im) * simd::norm(square_a);
+    return {q_b.re / q_a.re, over_b / over_a};
+}
+
+}  // namespace
+
+NACRE_VECTOR_CLONES void prepare_medium(LaneMedium& out, const ComplexLanes& n, const Lanes& n_0)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const C index = load(n, i);
+        const V ambient = load(n_0, i);
+        store(out.excess, i,
+              {(index.re - ambient) * (index.re + ambient) - index.im * index.im,
+               2.0 * index.re * index.im});
+        store(out.weight, i, simd::norm(index) + ambient * ambient);
+    }
+}
+
+NACRE_VECTOR_CLONES void prepare_interface(ComplexLanes& ratio, const ComplexLanes& n_1,
+                                           const ComplexLanes& n_2)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const C quotient = load(n_1, i) * simd::reciprocal(load(n_2, i));
+        store(ratio, i, quotient * quotient);
+    }
+}
+
+NACRE_VECTOR_CLONES void find_root(LaneRoot& out, const LaneMedium& medium, const Lanes& n_0,
+                                   const Lanes& cos_0)
+{
+    constexpr double kEpsilon = 1.1e-16;
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const V across = load(n_0, i) * load(cos_0, i);
+        const C excess = load(medium.excess, i);
+        const auto root = simd::upper_root({excess.re + across * across, excess.im});
+        store(out.q, i, root.value);
+        // n²ε/q² on the admittance, 2πq d/λ·ε on the phase and again the error of q in it.
+        const V of_q = load(medium.weight, i) * root.inverse;
+        store(out.doubt, i, kEpsilon * of_q);
+        store(out.doubt_per_wave, i,
+              (2.0 * std::numbers::pi * kEpsilon) * (1.5 * root.largest + of_q));
+    }
+}
+
+NACRE_VECTOR_CLONES void find_trip(LaneTrip& out, const LaneRoot& root, const Lanes& waves,
+                                   double factor)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const V wave = factor * load(waves, i);
+        const C q = load(root.q, i);
+        const V decay = simd::exp_decay((-2.0 * std::numbers::pi) * q.im * wave);
+        const C half = decay * simd::cis_turns(q.re * wave);
+        store(out.half, i, half);
+        store(out.E, i, half * half);
+    }
+}
+
+NACRE_VECTOR_CLONES void add_trip(LaneTrip& trip, const LaneTrip& more)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const C half = load(trip.half, i) * load(more.half, i);
+        store(trip.half, i, half);
+        store(trip.E, i, half * half);
+    }
+}
+
+NACRE_VECTOR_CLONES void add_doubt(Lanes& doubt, const LaneRoot& root, const Lanes& waves)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth)
+        store(doubt, i,
+              load(doubt, i) + load(root.doubt, i) + load(waves, i) * load(root.doubt_per_wave, i));
+}
+
+NACRE_VECTOR_CLONES void carry_down_wave(LaneFields& fields,
+                                         const std::vector<Crossing>& crossings)
+{
+    carry<1>({&fields}, crossings);
+}
+
+NACRE_VECTOR_CLONES void carry_both_waves(LaneFields& down, LaneFields& up,
+                                          const std::vector<Crossing>& crossings)
+{
+    carry<2>({&down, &up}, crossings);
+}
+
+NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, const LaneFields& fields,
+                                      const LaneEnds& ends)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const auto [scale_s, scale_p] = power_scale(ends, i);
+        const V over_s = 1.0 / simd::norm(load(fields.s.a, i));
+        const V over_p = 1.0 / simd::norm(load(fields.p.a, i));
+        store(s.R, i, over_s * simd::norm(load(fields.s.b, i)));
+        store(p.R, i, over_p * simd::norm(load(fields.p.b, i)));
+        store(s.T, i, scale_s * over_s * simd::norm(load(fields.passed_s, i)));
+        store(p.T, i, scale_p * over_p * simd::norm(load(fields.passed_p, i)));
+    }
+}
+
+NACRE_VECTOR_CLONES void finish_amplitudes(LaneAmplitudes& s, LaneAmplitudes& p,
+                                           const LaneFields& fields, const LaneEnds& ends)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const C over_s = simd::reciprocal(load(fields.s.a, i));
+        const C over_p = simd::reciprocal(load(fields.p.a, i));
+        store(s.r, i, over_s * load(fields.s.b, i));
+        store(p.r, i, over_p * load(fields.p.b, i));
+        store(s.t, i, over_s * load(fields.passed_s, i));
+        // H was carried for p; E = H/n.
+        const C to_field = load(*ends.n_above, i) * simd::reciprocal(load(*ends.n_below, i));
+        store(p.t, i, to_field * (over_p * load(fields.passed_p, i)));
+    }
+}
+
+}  // namespace nacre::optics::detail

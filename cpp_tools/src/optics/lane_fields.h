@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "nacre/optics/stack_batch.h"
+
+/// @file
+/// The two waves in every medium of 32 stacks, carried from the substrate up.
+///
+/// With q = n cosθ and waves a (down) and b (up) at the top of a medium,
+///     s: E = a + b, H = q (a − b);    p: H = a + b, E = (q/n²)(a − b).
+/// Both are continuous, so that across an interface (1 above 2), times 2q₁,
+///     s: a₁, b₁ = q₁(a₂ + b₂) ± q₂(a₂ − b₂);    p: the same with q₂ n₁²/n₂².
+/// Through a layer b gains E = e^{2iδ} and both leave behind e^{−iδ}. Nothing is ever divided: r is
+/// b/a at the top, t is the product of all 2q₁ and e^{iδ} over a.
+
+namespace nacre::optics::detail {
+
+/// What a medium brings that does not depend on the angle.
+struct LaneMedium {
+    ComplexLanes excess;  ///< n² − n_0²
+    Lanes weight;         ///< |n|² + n_0²
+};
+
+/// A medium at an angle.
+struct LaneRoot {
+    ComplexLanes q;
+    Lanes doubt, doubt_per_wave;  ///< of a rounding in q² and in the phase
+};
+
+/// One passage through a layer at an angle.
+struct LaneTrip {
+    ComplexLanes half, E;  ///< e^{iδ}, e^{2iδ}
+};
+
+struct Waves {
+    ComplexLanes a, b;
+};
+
+/// Waves of both polarisations, and what t gathers on the way.
+struct LaneFields {
+    Waves s, p;
+    ComplexLanes passed_s, passed_p;
+};
+
+void prepare_medium(LaneMedium& out, const ComplexLanes& n, const Lanes& n_0);
+/// n₁²/n₂².
+void prepare_interface(ComplexLanes& ratio, const ComplexLanes& n_1, const ComplexLanes& n_2);
+
+void find_root(LaneRoot& out, const LaneMedium& medium, const Lanes& n_0, const Lanes& cos_0);
+/// At `factor` times the thickness over wavelength.
+void find_trip(LaneTrip& out, const LaneRoot& root, const Lanes& waves, double factor);
+/// The trip of the sum of two thicknesses.
+void add_trip(LaneTrip& trip, const LaneTrip& more);
+void add_doubt(Lanes& doubt, const LaneRoot& root, const Lanes& waves);
+
+/// An interface and the passage through what lies above it.
+struct Crossing {
+    const ComplexLanes *q_1, *q_2, *ratio;
+    const LaneTrip* trip;
+};
+/// What is above the first crossing if below the last one a wave of strength 1 goes down.
+void carry_down_wave(LaneFields& fields, const std::vector<Crossing>& crossings);
+/// The same, and for one that goes up; both scaled alike.
+void carry_both_waves(LaneFields& down, LaneFields& up, const std::vector<Crossing>& crossings);
+
+/// Ends of a stack at an angle.
+struct LaneEnds {
+    const ComplexLanes *n_above, *n_below, *q_above, *q_below;
+};
+void finish_power(LanePower& s, LanePower& p, const LaneFields& fields, const LaneEnds& ends);
+void finish_amplitudes(LaneAmplitudes& s, LaneAmplitudes& p, const LaneFields& fields,
+                       const LaneEnds& ends);
+
+}  // namespace nacre::optics::detail

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "angled_stack.h"
+#include "simd.h"
+
+namespace nacre::optics {
+namespace {
+
+using detail::AngledStack;
+using detail::LaneFields;
+using detail::LaneTrip;
+using detail::Waves;
+using simd::C;
+using simd::kWidth;
+using simd::load;
+using simd::store;
+using simd::V;
+
+/// One wave below the varying layer, and both of its waves carried to the surface.
+struct Map {
+    LaneFields below, down, up;
+};
+
+/// Real coefficients of |a + bE|².
+struct Modulus {
+    V m0, m1, m2, m3;
+};
+NACRE_INLINE Modulus squared_modulus(C a, C b)
+{
+    return {simd::norm(a), simd::norm(b), 2.0 * (a.re * b.re + a.im * b.im),
+            -2.0 * (a.re * b.im - a.im * b.re)};
+}
+
+NACRE_INLINE void put(PhaseMap::Coefficients& out, std::size_t i, const Modulus& n,
+                      const Modulus& d, V tau)
+{
+    const V scale = 1.0 / (d.m0 + d.m1);
+    store(out.n0, i, n.m0 * scale);
+    store(out.n1, i, n.m1 * scale);
+    store(out.n2, i, n.m2 * scale);
+    store(out.n3, i, n.m3 * scale);
+    store(out.d0, i, d.m0 * scale);
+    store(out.d1, i, d.m1 * scale);
+    store(out.d2, i, d.m2 * scale);
+    store(out.d3, i, d.m3 * scale);
+    store(out.tau, i, tau * scale);
+}
+
+/// @param passed  |product of 2q₁ and e^{iδ}|² of all but the varying layer, with Re η below / above
+NACRE_INLINE void coefficients(PhaseMap::Coefficients& out, std::size_t i, const Waves& below,
+                               const Waves& down, const Waves& up, V passed)
+{
+    const C alpha = load(below.a, i), beta = load(below.b, i);
+    put(out, i, squared_modulus(alpha * load(down.b, i), beta * load(up.b, i)),
+        squared_modulus(alpha * load(down.a, i), beta * load(up.a, i)), passed);
+}
+
+NACRE_VECTOR_CLONES void finish_map(PhaseMap::Coefficients& s_out, PhaseMap::Coefficients& p_out,
+                                    const Map& map, const detail::LaneEnds& ends)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const C n_a = load(*ends.n_above, i), n_b = load(*ends.n_below, i);
+        const C q_a = load(*ends.q_above, i), q_b = load(*ends.q_below, i);
+        const C eta_a = q_a * simd::reciprocal(n_a * n_a);
+        const C eta_b = q_b * simd::reciprocal(n_b * n_b);
+        const V passed_s =
+            simd::norm(load(map.below.passed_s, i) * load(map.down.passed_s, i)) * q_b.re / q_a.re;
+        const V passed_p = simd::norm(load(map.below.passed_p, i) * load(map.down.passed_p, i)) *
+                           eta_b.re / eta_a.re;
+        coefficients(s_out, i, map.below.s, map.down.s, map.up.s, passed_s);
+        coefficients(p_out, i, map.below.p, map.down.p, map.up.p, passed_p);
+    }
+}
+
+/// One row, and the phase on to the next.
+NACRE_VECTOR_CLONES void map_row(const PhaseMap::Coefficients& s, const PhaseMap::Coefficients& p,
+                                 ComplexLanes& phase, const ComplexLanes& turn, Lanes& R, Lanes& T)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const C E = load(phase, i);
+        const V e2 = simd::norm(E);
+        const auto form = [&](const Lanes& c0, const Lanes& c1, const Lanes& c2,
+                              const Lanes& c3) __attribute__((always_inline))
+        {
+            return load(c0, i) + load(c1, i) * e2 + load(c2, i) * E.re + load(c3, i) * E.im;
+        };
+        const V n_s = form(s.n0, s.n1, s.n2, s.n3), d_s = form(s.d0, s.d1, s.d2, s.d3);
+        const V n_p = form(p.n0, p.n1, p.n2, p.n3), d_p = form(p.d0, p.d1, p.d2, p.d3);
+        const V half = 0.5 / (d_s * d_p);
+        store(R, i, half * (n_s * d_p + n_p * d_s));
+        store(T, i,
+              half * simd::square_root(e2) * (load(s.tau, i) * d_p + load(p.tau, i) * d_s));
+        store(phase, i, E * load(turn, i));
+    }
+}
+
+/// E = e^{2iδ} of a layer.
+NACRE_VECTOR_CLONES void round_trip(const ComplexLanes& root, const Lanes& waves, ComplexLanes& out)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const C q = load(root, i);
+        const V wave = 2.0 * load(waves, i);
+        store(out, i,
+              simd::exp_decay((-2.0 * std::numbers::pi) * q.im * wave) *
+                  simd::cis_turns(q.re * wave));
+    }
+}
+
+}  // namespace
+
+PhaseMap::PhaseMap(const LaneStack& stack, std::size_t varying)
+{
+    AngledStack angled(stack);
+    angled.turn_to(stack.cos_0);
+    q_ = angled.q(varying + 1);
+    std::vector<LaneTrip> trips;
+    angled.find_trips(trips, 1.0);
+
+    Map map;
+    carry_down_wave(map.below, angled.crossings(trips, varying + 1, angled.layers() + 1));
+    const auto above = angled.crossings(trips, 0, varying + 1);
+    carry_both_waves(map.down, map.up, above);
+    finish_map(s_, p_, map, angled.ends());
+}
+
+void PhaseMap::march(const Lanes& first, const Lanes& step, std::span<Lanes> R,
+                     std::span<Lanes> T) const noexcept
+{
+    ComplexLanes phase, turn;
+    round_trip(q_, first, phase);
+    round_trip(q_, step, turn);
+    for (std::size_t row = 0; row < R.size(); ++row) map_row(s_, p_, phase, turn, R[row], T[row]);
+}
+
+}  // namespace nacre::optics
