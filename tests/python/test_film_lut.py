@@ -159,3 +159,19 @@ def test_texels_belong_to_the_caller():
     second = nacre.film_lut(**OXIDE, size=(5, 5)).reflectance.texels
     first[...] = 0
     assert second.max() > 0
+
+
+def test_without_a_tolerance_errors_are_not_measured():
+    measured = nacre.film_lut(**SOAP, size=(16, 32))
+    quick = nacre.film_lut(**SOAP, size=(16, 32), tolerance=None)
+    np.testing.assert_allclose(
+        quick.reflectance.texels, measured.reflectance.texels, rtol=0, atol=1e-6
+    )
+    assert np.isnan(quick.reflectance.error_max)
+    assert np.isnan(quick.reflectance.error_mean)
+    assert np.isfinite(measured.reflectance.error_max)
+
+
+def test_without_a_tolerance_the_size_must_be_given():
+    with pytest.raises(nacre.NacreError, match="size: must be given"):
+        nacre.film_lut(**SOAP, tolerance=None)

@@ -136,7 +136,7 @@ typedef struct nacre_film {
     int varying;     /**< index of a layer; -1: factor on all coherent layers; -2: nothing */
     double min, max; /**< nm, or a factor */
     const char *illuminant, *observer, *space;
-    double tolerance;  /**< dE00; decides the size */
+    double tolerance;  /**< dE00; decides the size; 0 with a size: errors are not measured (NaN) */
     int width, height; /**< > 0: this size instead */
     int transmittance; /**< 1: also bake T */
 } nacre_film;

@@ -60,8 +60,9 @@ lut::FilmTableRequest film_request(const nacre_film& film)
     request.weights = spectral::reflectance_weights(spectral::named_illuminant(film.illuminant),
                                                     spectral::observer_from_name(film.observer),
                                                     spectral::colour_space(film.space));
-    request.tolerance = film.tolerance;
     if (film.width > 0 || film.height > 0) request.size = {film.width, film.height};
+    request.measure_error = !(request.size && film.tolerance == 0.0);
+    if (request.measure_error) request.tolerance = film.tolerance;
     request.transmittance = film.transmittance != 0;
     return request;
 }

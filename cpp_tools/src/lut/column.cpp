@@ -3,6 +3,7 @@
 #include "column.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "nacre/core/vector_clones.h"
 
@@ -14,7 +15,7 @@ using optics::Lanes;
 
 /// Rows that are computed together: their lanes stay in the first-level cache.
 constexpr std::size_t kRows = 16;
-constexpr std::size_t kAccumulators = 8;
+constexpr std::size_t kAccumulators = 4;
 
 /// At grazing incidence cosθ = 0 the coefficients of T are 0/0; this close to it R and T equal
 /// their limits (1 and 0, or 0 and 1 for matched indices) to single precision.
@@ -29,15 +30,23 @@ struct RowSums {
 NACRE_VECTOR_CLONES void add_weighted(RowSums& sums, const Lanes& R, const Lanes& T,
                                       const std::array<Lanes, 3>& weight)
 {
-    for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t group = 0; group < kLanes; group += kAccumulators) {
-#pragma GCC ivdep
-            for (std::size_t j = 0; j < kAccumulators; ++j) {
-                sums.part[c][j] += weight[c][group + j] * R[group + j];
-                sums.part[3 + c][j] += weight[c][group + j] * T[group + j];
-            }
+    using V [[gnu::vector_size(kAccumulators * sizeof(double))]] = double;
+    const auto load = [](V& value, const double* from) { std::memcpy(&value, from, sizeof value); };
+    V sum[6];
+    std::memcpy(&sum, &sums.part, sizeof sum);
+    for (std::size_t i = 0; i < kLanes; i += kAccumulators) {
+        V R_i, T_i;
+        load(R_i, &R[i]);
+        load(T_i, &T[i]);
+        for (std::size_t c = 0; c < 3; ++c) {
+            V w;
+            load(w, &weight[c][i]);
+            sum[c] += w * R_i;
+            sum[3 + c] += w * T_i;
         }
     }
+    static_assert(sizeof sum == sizeof sums.part);
+    std::memcpy(&sums.part, &sum, sizeof sum);
 }
 
 FilmColour total(const RowSums& sums)
@@ -117,13 +126,13 @@ SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(requ
         blocks.push_back(make_block(request, b * optics::kLanes));
 }
 
-Column::Column(const SpectralBlocks& spectral, double cos_theta) : spectral_(&spectral)
+Column::Column(const SpectralBlocks& spectral) : spectral_(&spectral)
 {
     const bool coherent = all_coherent(spectral);
     const bool folds = coherent && spectral.variation && spectral.variation->layer;
     for (const SpectralBlocks::Block& block : spectral.blocks) {
         optics::LaneStack stack = block.stack;
-        stack.cos_0.fill(std::max(cos_theta, kLeastCosine));
+        stack.cos_0.fill(1.0);
         if (folds)
             blocks_.emplace_back(std::in_place_type<optics::PhaseMap>, stack,
                                  *spectral.variation->layer);
@@ -132,6 +141,21 @@ Column::Column(const SpectralBlocks& spectral, double cos_theta) : spectral_(&sp
         else
             blocks_.emplace_back(std::move(stack));
     }
+}
+
+Column& Column::turn_to(double cos_theta)
+{
+    Lanes cos_0;
+    cos_0.fill(std::max(cos_theta, kLeastCosine));
+    for (auto& block : blocks_) {
+        if (auto* stack = std::get_if<optics::LaneStack>(&block))
+            stack->cos_0 = cos_0;
+        else if (auto* map = std::get_if<optics::PhaseMap>(&block))
+            map->turn_to(cos_0);
+        else
+            std::get<optics::ScaledStack>(block).turn_to(cos_0);
+    }
+    return *this;
 }
 
 void Column::rows(std::size_t b, double first, double step, std::span<Lanes> R,

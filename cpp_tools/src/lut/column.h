@@ -32,10 +32,13 @@ public:
     std::optional<Variation> variation;
 };
 
-/// Colours along the second axis at one angle.
+/// Colours along the second axis at one angle. One object for one thread.
 class Column {
 public:
-    Column(const SpectralBlocks& spectral, double cos_theta);
+    /// At normal incidence.
+    explicit Column(const SpectralBlocks& spectral);
+
+    Column& turn_to(double cos_theta);
 
     /// Colours at first, first + step, …, one for each element of `out`.
     void evaluate(double first, double step, std::span<FilmColour> out) const;

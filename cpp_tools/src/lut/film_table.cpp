@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "nacre/core/diagnostics.h"
 #include "sizing.h"
@@ -54,6 +55,8 @@ void check(const FilmTableRequest& request)
                           fmt::format("must name one of the {} layers (got layer[{}])",
                                       request.stack.layers.size(), *variation->layer)});
     }
+    if (!request.measure_error && !request.size)
+        problems.add({{}, 0, "size", "must be given where the error is not measured"});
     if (!(request.tolerance > 0.0))
         problems.add({{}, 0, "tolerance", fmt::format("must be > 0 (got {})", request.tolerance)});
     if (request.max_texels < 2)
@@ -149,8 +152,8 @@ ProbeErrors bake_column(const Baker& baker, Baked& baked, std::size_t x)
 {
     std::vector<FilmColour> exact(half_steps(baked.size.height));
     const double cos_theta = static_cast<double>(x) / (baked.size.width - 1);
-    Column(baker.spectral, cos_theta)
-        .evaluate(baker.first_value(), half_step(baker, baked.size.height), exact);
+    baker.column(cos_theta).evaluate(baker.first_value(), half_step(baker, baked.size.height),
+                                     exact);
 
     for (std::size_t i = 0; i < exact.size(); i += 2) baked.set_texel(x, i / 2, exact[i]);
     ProbeErrors errors;
@@ -167,8 +170,8 @@ ProbeErrors check_midway(const Baker& baker, const Baked& baked, std::size_t x)
 {
     std::vector<FilmColour> exact(half_steps(baked.size.height));
     const double cos_theta = (static_cast<double>(x) + 0.5) / (baked.size.width - 1);
-    Column(baker.spectral, cos_theta)
-        .evaluate(baker.first_value(), half_step(baker, baked.size.height), exact);
+    baker.column(cos_theta).evaluate(baker.first_value(), half_step(baker, baked.size.height),
+                                     exact);
 
     ProbeErrors errors;
     for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -197,7 +200,7 @@ ProbeErrors check_elsewhere(const Baker& baker, const Baked& baked, std::size_t 
 
     std::vector<FilmColour> exact(rows);
     const double cos_theta = (static_cast<double>(x) + u) / (baked.size.width - 1);
-    Column(baker.spectral, cos_theta).evaluate(baker.first_value() + v * step, step, exact);
+    baker.column(cos_theta).evaluate(baker.first_value() + v * step, step, exact);
     ProbeErrors errors;
     for (std::size_t y = 0; y < rows; ++y) {
         const std::size_t up = std::min(y + 1, static_cast<std::size_t>(baked.size.height) - 1);
@@ -208,8 +211,19 @@ ProbeErrors check_elsewhere(const Baker& baker, const Baked& baked, std::size_t 
     return errors;
 }
 
-/// Bakes and measures. The errors are added up in the order of the columns, so that their mean does
-/// not depend on which thread was first.
+/// Texels of column `x`.
+void fill_column(const Baker& baker, Baked& baked, std::size_t x)
+{
+    const auto height = static_cast<std::size_t>(baked.size.height);
+    std::vector<FilmColour> exact(height);
+    const double cos_theta = static_cast<double>(x) / (baked.size.width - 1);
+    baker.column(cos_theta).evaluate(baker.first_value(), 2.0 * half_step(baker, baked.size.height),
+                                     exact);
+    for (std::size_t y = 0; y < height; ++y) baked.set_texel(x, y, exact[y]);
+}
+
+/// Bakes and, if asked to, measures. The errors are added up in the order of the columns, so that
+/// their mean does not depend on which thread was first.
 Baked bake(Baker& baker, TableSize size)
 {
     const auto width = static_cast<std::size_t>(size.width);
@@ -221,6 +235,14 @@ Baked bake(Baker& baker, TableSize size)
     baked.reflectance.resize(3 * width * static_cast<std::size_t>(size.height));
     baked.transmittance.resize(baked.reflectance.size());
 
+    if (!baker.request.measure_error) {
+        baker.progress.stage(0.9, width);
+        tbb::parallel_for(std::size_t{0}, width, [&](std::size_t x) {
+            fill_column(baker, baked, x);
+            baker.progress.step();
+        });
+        return baked;
+    }
     std::vector<ProbeErrors> errors(3 * width - 2);
     baker.progress.stage(0.9, errors.size());
     const auto each = [&](std::size_t count, std::size_t offset, auto&& measure) {
@@ -266,6 +288,8 @@ Table make_table(const Baker& baker, const Baked& baked, bool transmittance)
     const ErrorStatistics& error =
         transmittance ? baked.transmittance_error : baked.reflectance_error;
     const bool scale = variation && !variation->layer;
+    constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+    const bool measured = baker.request.measure_error;
     return {.name = transmittance ? "T" : "R",
             .quantity = transmittance ? "transmittance" : "reflectance",
             .x = {"cos_theta", "1", 0.0, 1.0, baked.size.width},
@@ -273,8 +297,8 @@ Table make_table(const Baker& baker, const Baked& baked, bool transmittance)
                   baker.first_value(), baker.last_value(), baked.size.height},
             .channels = {"R", "G", "B"},
             .texels = transmittance ? baked.transmittance : baked.reflectance,
-            .error_max = error.max,
-            .error_mean = error.mean()};
+            .error_max = measured ? error.max : kNotMeasured,
+            .error_mean = measured ? error.mean() : kNotMeasured};
 }
 
 }  // namespace
@@ -299,7 +323,7 @@ FilmColour exact_film_colour(const FilmTableRequest& request, double cos_theta,
 {
     const SpectralBlocks spectral(request);
     FilmColour colour{};
-    Column(spectral, cos_theta).evaluate(variation_value, 0.0, {&colour, 1});
+    Column(spectral).turn_to(cos_theta).evaluate(variation_value, 0.0, {&colour, 1});
     return colour;
 }
 

@@ -29,7 +29,7 @@ double error_along_angle(Baker& baker, int width)
     baker.progress.stage(0.05, points);
     tbb::parallel_for(std::size_t{0}, points, [&](std::size_t i) {
         const double cos_theta = static_cast<double>(i) / static_cast<double>(points - 1);
-        Column(baker.spectral, cos_theta).evaluate(baker.first_value(), step, columns[i]);
+        baker.column(cos_theta).evaluate(baker.first_value(), step, columns[i]);
         baker.progress.step();
     });
 
@@ -56,7 +56,7 @@ double error_along_variation(Baker& baker, int height)
         std::vector<FilmColour> column(points);
         const double along = static_cast<double>(i) / (kLinesAcross - 1);
         const double cos_theta = kLeastCountedCosine + (1.0 - kLeastCountedCosine) * along;
-        Column(baker.spectral, cos_theta).evaluate(baker.first_value(), step, column);
+        baker.column(cos_theta).evaluate(baker.first_value(), step, column);
         for (std::size_t row = 1; row < points; row += 2)
             largest[i] =
                 std::max(largest[i],

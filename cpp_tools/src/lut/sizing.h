@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include <functional>
 #include <mutex>
 
@@ -44,6 +46,12 @@ struct Baker {
         : request(asked), spectral(asked), error(asked.weights.to_xyz_d65), progress(asked.progress)
     {}
 
+    /// Of this thread.
+    [[nodiscard]] const Column& column(double cos_theta) const
+    {
+        return columns_.local().turn_to(cos_theta);
+    }
+
     const FilmTableRequest& request;
     SpectralBlocks spectral;
     ColourError error;
@@ -59,6 +67,9 @@ struct Baker {
     }
     /// The larger of the errors of what is baked.
     [[nodiscard]] double difference(const FilmColour& a, const FilmColour& b) const;
+
+private:
+    mutable tbb::enumerable_thread_specific<Column> columns_{[this] { return Column(spectral); }};
 };
 
 [[nodiscard]] FilmColour midpoint(const FilmColour& a, const FilmColour& b) noexcept;

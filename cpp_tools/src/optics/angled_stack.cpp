@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "angled_stack.h"
 
+#include <algorithm>
+
 namespace nacre::optics::detail {
 namespace {
 
 bool equal(const ComplexLanes& a, const ComplexLanes& b)
 {
     return a.re == b.re && a.im == b.im;
+}
+
+bool is_zero(const Lanes& lanes)
+{
+    return std::all_of(lanes.begin(), lanes.end(), [](double value) { return value == 0.0; });
 }
 
 void set_to_nothing(LaneTrip& trip)
@@ -56,7 +63,10 @@ std::size_t AngledStack::keep_passage(std::size_t medium, const Lanes& waves)
 
 void AngledStack::turn_to(const Lanes& cos_0)
 {
-    for (std::size_t m = 0; m < media_.size(); ++m) find_root(roots_[m], media_[m], n_0_, cos_0);
+    const bool plain = n_above_.re == n_0_ && is_zero(n_above_.im);
+    if (plain) find_ambient_root(roots_[0], n_0_, cos_0);
+    for (std::size_t m = plain ? 1 : 0; m < media_.size(); ++m)
+        find_root(roots_[m], media_[m], n_0_, cos_0);
 }
 
 void AngledStack::find_trips(std::vector<LaneTrip>& trips, double factor) const

@@ -30,10 +30,7 @@ public:
     {
         return roots_[medium_of_[medium]].q;
     }
-    [[nodiscard]] LaneEnds ends() const
-    {
-        return {&n_above_, &n_below_, &q(0), &q(layers() + 1)};
-    }
+    [[nodiscard]] LaneEnds ends() const { return {&n_above_, &n_below_, &q(0), &q(layers() + 1)}; }
     void doubt(Lanes& out) const;
 
 private:

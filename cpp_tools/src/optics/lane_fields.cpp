@@ -3,6 +3,7 @@
 #include "lane_fields.h"
 
 #include <array>
+#include <limits>
 
 #include "simd.h"
 
@@ -16,12 +17,14 @@ using simd::store;
 using simd::V;
 
 /// 64 layers between indices of 1e6 and 1e-6 stay within a double's range in steps of this many.
-constexpr std::size_t kNormaliseEvery = 8;
+/// A resonance between two of them still shows.
+constexpr std::size_t kNormaliseEvery = 4;
 
 /// Waves of one polarisation in registers.
 template <std::size_t Count>
 struct Registers {
     std::array<C, Count> a, b, passed;
+    V least = V{} + std::numeric_limits<double>::max();  ///< |passed|² of the first
 
     NACRE_INLINE void cross(C q_1, C q_2)
     {
@@ -49,6 +52,8 @@ struct Registers {
             b[w] = scale * b[w];
             passed[w] = scale * passed[w];
         }
+        const V strength = simd::norm(passed[0]);
+        least = strength < least ? strength : least;
     }
 };
 
@@ -86,6 +91,8 @@ NACRE_INLINE void carry(const std::array<LaneFields*, Count>& fields,
                 p.normalise();
             }
         }
+        store(fields[0]->least_s, i, s.least);
+        store(fields[0]->least_p, i, p.least);
         for (std::size_t w = 0; w < Count; ++w) {
             store(fields[w]->s.a, i, s.a[w]);
             store(fields[w]->s.b, i, s.b[w]);
@@ -152,6 +159,14 @@ NACRE_VECTOR_CLONES void find_root(LaneRoot& out, const LaneMedium& medium, cons
     }
 }
 
+void find_ambient_root(LaneRoot& out, const Lanes& n_0, const Lanes& cos_0)
+{
+    for (std::size_t i = 0; i < kLanes; ++i) out.q.re[i] = n_0[i] * cos_0[i];
+    out.q.im.fill(0.0);
+    out.doubt.fill(0.0);  // no error is made
+    out.doubt_per_wave.fill(2.0 * std::numbers::pi * 1.1e-16);
+}
+
 NACRE_VECTOR_CLONES void find_trip(LaneTrip& out, const LaneRoot& root, const Lanes& waves,
                                    double factor)
 {
@@ -181,8 +196,7 @@ NACRE_VECTOR_CLONES void add_doubt(Lanes& doubt, const LaneRoot& root, const Lan
               load(doubt, i) + load(root.doubt, i) + load(waves, i) * load(root.doubt_per_wave, i));
 }
 
-NACRE_VECTOR_CLONES void carry_down_wave(LaneFields& fields,
-                                         const std::vector<Crossing>& crossings)
+NACRE_VECTOR_CLONES void carry_down_wave(LaneFields& fields, const std::vector<Crossing>& crossings)
 {
     carry<1>({&fields}, crossings);
 }
@@ -193,17 +207,24 @@ NACRE_VECTOR_CLONES void carry_both_waves(LaneFields& down, LaneFields& up,
     carry<2>({&down, &up}, crossings);
 }
 
-NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, const LaneFields& fields,
-                                      const LaneEnds& ends)
+NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, Lanes& doubt,
+                                      const LaneFields& fields, const LaneEnds& ends)
 {
+    constexpr double kNotZero = 1e-300;
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
         const auto [scale_s, scale_p] = power_scale(ends, i);
         const V over_s = 1.0 / simd::norm(load(fields.s.a, i));
         const V over_p = 1.0 / simd::norm(load(fields.p.a, i));
+        const V t_s = over_s * simd::norm(load(fields.passed_s, i));
+        const V t_p = over_p * simd::norm(load(fields.passed_p, i));
         store(s.R, i, over_s * simd::norm(load(fields.s.b, i)));
         store(p.R, i, over_p * simd::norm(load(fields.p.b, i)));
-        store(s.T, i, scale_s * over_s * simd::norm(load(fields.passed_s, i)));
-        store(p.T, i, scale_p * over_p * simd::norm(load(fields.passed_p, i)));
+        store(s.T, i, scale_s * t_s);
+        store(p.T, i, scale_p * t_p);
+        const V field_s = t_s / (load(fields.least_s, i) + kNotZero);
+        const V field_p = t_p / (load(fields.least_p, i) + kNotZero);
+        const V field = field_s > field_p ? field_s : field_p;
+        store(doubt, i, load(doubt, i) * (field > 1.0 ? field : V{} + 1.0));
     }
 }
 

@@ -43,6 +43,9 @@ struct Waves {
 struct LaneFields {
     Waves s, p;
     ComplexLanes passed_s, passed_p;
+    /// Least |passed|² at a wave of about 1 anywhere in the stack: |t|² over it is how much
+    /// stronger than outside the field is there.
+    Lanes least_s, least_p;
 };
 
 void prepare_medium(LaneMedium& out, const ComplexLanes& n, const Lanes& n_0);
@@ -50,6 +53,8 @@ void prepare_medium(LaneMedium& out, const ComplexLanes& n, const Lanes& n_0);
 void prepare_interface(ComplexLanes& ratio, const ComplexLanes& n_1, const ComplexLanes& n_2);
 
 void find_root(LaneRoot& out, const LaneMedium& medium, const Lanes& n_0, const Lanes& cos_0);
+/// Of the ambient itself, n_0.
+void find_ambient_root(LaneRoot& out, const Lanes& n_0, const Lanes& cos_0);
 /// At `factor` times the thickness over wavelength.
 void find_trip(LaneTrip& out, const LaneRoot& root, const Lanes& waves, double factor);
 /// The trip of the sum of two thicknesses.
@@ -70,7 +75,9 @@ void carry_both_waves(LaneFields& down, LaneFields& up, const std::vector<Crossi
 struct LaneEnds {
     const ComplexLanes *n_above, *n_below, *q_above, *q_below;
 };
-void finish_power(LanePower& s, LanePower& p, const LaneFields& fields, const LaneEnds& ends);
+/// @param doubt  multiplied by the enhancement of the field: a resonance enlarges errors of phase
+void finish_power(LanePower& s, LanePower& p, Lanes& doubt, const LaneFields& fields,
+                  const LaneEnds& ends);
 void finish_amplitudes(LaneAmplitudes& s, LaneAmplitudes& p, const LaneFields& fields,
                        const LaneEnds& ends);
 

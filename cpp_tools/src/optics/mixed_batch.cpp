@@ -29,8 +29,7 @@ Lanes single_pass(const LaneStack& stack, const LaneLayer& layer)
     return pass;
 }
 
-void add_packet(Intensities& sum, const LanePower& down, const LanePower& up,
-                const Lanes& pass)
+void add_packet(Intensities& sum, const LanePower& down, const LanePower& up, const Lanes& pass)
 {
     for (std::size_t i = 0; i < kLanes; ++i) {
         if (down.T[i] == 0.0) {  // total reflection: the quotients below would be 0/0

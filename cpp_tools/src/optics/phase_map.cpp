@@ -7,6 +7,7 @@ namespace nacre::optics {
 namespace {
 
 using detail::AngledStack;
+using detail::Crossing;
 using detail::LaneFields;
 using detail::LaneTrip;
 using detail::Waves;
@@ -15,11 +16,6 @@ using simd::kWidth;
 using simd::load;
 using simd::store;
 using simd::V;
-
-/// One wave below the varying layer, and both of its waves carried to the surface.
-struct Map {
-    LaneFields below, down, up;
-};
 
 /// Real coefficients of |a + bE|².
 struct Modulus {
@@ -46,7 +42,8 @@ NACRE_INLINE void put(PhaseMap::Coefficients& out, std::size_t i, const Modulus&
     store(out.tau, i, tau * scale);
 }
 
-/// @param passed  |product of 2q₁ and e^{iδ}|² of all but the varying layer, with Re η below / above
+/// @param passed  |product of 2q₁ and e^{iδ}|² of all but the varying layer, with Re η below /
+/// above
 NACRE_INLINE void coefficients(PhaseMap::Coefficients& out, std::size_t i, const Waves& below,
                                const Waves& down, const Waves& up, V passed)
 {
@@ -56,7 +53,8 @@ NACRE_INLINE void coefficients(PhaseMap::Coefficients& out, std::size_t i, const
 }
 
 NACRE_VECTOR_CLONES void finish_map(PhaseMap::Coefficients& s_out, PhaseMap::Coefficients& p_out,
-                                    const Map& map, const detail::LaneEnds& ends)
+                                    const LaneFields& below, const LaneFields& down,
+                                    const LaneFields& up, const detail::LaneEnds& ends)
 {
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
         const C n_a = load(*ends.n_above, i), n_b = load(*ends.n_below, i);
@@ -64,11 +62,11 @@ NACRE_VECTOR_CLONES void finish_map(PhaseMap::Coefficients& s_out, PhaseMap::Coe
         const C eta_a = q_a * simd::reciprocal(n_a * n_a);
         const C eta_b = q_b * simd::reciprocal(n_b * n_b);
         const V passed_s =
-            simd::norm(load(map.below.passed_s, i) * load(map.down.passed_s, i)) * q_b.re / q_a.re;
-        const V passed_p = simd::norm(load(map.below.passed_p, i) * load(map.down.passed_p, i)) *
-                           eta_b.re / eta_a.re;
-        coefficients(s_out, i, map.below.s, map.down.s, map.up.s, passed_s);
-        coefficients(p_out, i, map.below.p, map.down.p, map.up.p, passed_p);
+            simd::norm(load(below.passed_s, i) * load(down.passed_s, i)) * q_b.re / q_a.re;
+        const V passed_p =
+            simd::norm(load(below.passed_p, i) * load(down.passed_p, i)) * eta_b.re / eta_a.re;
+        coefficients(s_out, i, below.s, down.s, up.s, passed_s);
+        coefficients(p_out, i, below.p, down.p, up.p, passed_p);
     }
 }
 
@@ -79,8 +77,8 @@ NACRE_VECTOR_CLONES void map_row(const PhaseMap::Coefficients& s, const PhaseMap
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
         const C E = load(phase, i);
         const V e2 = simd::norm(E);
-        const auto form = [&](const Lanes& c0, const Lanes& c1, const Lanes& c2,
-                              const Lanes& c3) __attribute__((always_inline))
+        const auto form = [&](const Lanes& c0, const Lanes& c1, const Lanes& c2, const Lanes& c3)
+            __attribute__((always_inline))
         {
             return load(c0, i) + load(c1, i) * e2 + load(c2, i) * E.re + load(c3, i) * E.im;
         };
@@ -88,8 +86,7 @@ NACRE_VECTOR_CLONES void map_row(const PhaseMap::Coefficients& s, const PhaseMap
         const V n_p = form(p.n0, p.n1, p.n2, p.n3), d_p = form(p.d0, p.d1, p.d2, p.d3);
         const V half = 0.5 / (d_s * d_p);
         store(R, i, half * (n_s * d_p + n_p * d_s));
-        store(T, i,
-              half * simd::square_root(e2) * (load(s.tau, i) * d_p + load(p.tau, i) * d_s));
+        store(T, i, half * simd::square_root(e2) * (load(s.tau, i) * d_p + load(p.tau, i) * d_s));
         store(phase, i, E * load(turn, i));
     }
 }
@@ -108,19 +105,40 @@ NACRE_VECTOR_CLONES void round_trip(const ComplexLanes& root, const Lanes& waves
 
 }  // namespace
 
-PhaseMap::PhaseMap(const LaneStack& stack, std::size_t varying)
-{
-    AngledStack angled(stack);
-    angled.turn_to(stack.cos_0);
-    q_ = angled.q(varying + 1);
+struct PhaseMap::Work {
+    AngledStack stack;
+    std::size_t varying;
     std::vector<LaneTrip> trips;
-    angled.find_trips(trips, 1.0);
+    std::vector<Crossing> above, below;
+    LaneFields from_below;  ///< one wave below the varying layer
+    LaneFields down, up;    ///< both waves of the varying layer
 
-    Map map;
-    carry_down_wave(map.below, angled.crossings(trips, varying + 1, angled.layers() + 1));
-    const auto above = angled.crossings(trips, 0, varying + 1);
-    carry_both_waves(map.down, map.up, above);
-    finish_map(s_, p_, map, angled.ends());
+    Work(const LaneStack& lanes, std::size_t layer) : stack(lanes), varying(layer)
+    {
+        stack.find_trips(trips, 0.0);
+        above = stack.crossings(trips, 0, varying + 1);
+        below = stack.crossings(trips, varying + 1, stack.layers() + 1);
+    }
+};
+
+PhaseMap::PhaseMap(const LaneStack& stack, std::size_t varying)
+    : work_(std::make_unique<Work>(stack, varying))
+{
+    turn_to(stack.cos_0);
+}
+PhaseMap::PhaseMap(PhaseMap&&) noexcept = default;
+PhaseMap& PhaseMap::operator=(PhaseMap&&) noexcept = default;
+PhaseMap::~PhaseMap() = default;
+
+void PhaseMap::turn_to(const Lanes& cos_0)
+{
+    Work& work = *work_;
+    work.stack.turn_to(cos_0);
+    work.stack.find_trips(work.trips, 1.0);
+    q_ = work.stack.q(work.varying + 1);
+    carry_down_wave(work.from_below, work.below);
+    carry_both_waves(work.down, work.up, work.above);
+    finish_map(s_, p_, work.from_below, work.down, work.up, work.stack.ends());
 }
 
 void PhaseMap::march(const Lanes& first, const Lanes& step, std::span<Lanes> R,

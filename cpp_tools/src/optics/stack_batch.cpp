@@ -39,8 +39,8 @@ PreparedStack::~PreparedStack() = default;
 void PreparedStack::power(const Lanes& cos_0, BatchPower& out)
 {
     work_->solve(cos_0);
-    finish_power(out.s, out.p, work_->fields, work_->stack.ends());
     work_->stack.doubt(out.doubt);
+    finish_power(out.s, out.p, out.doubt, work_->fields, work_->stack.ends());
 }
 
 void PreparedStack::respond(const Lanes& cos_0, BatchPower& power, BatchAmplitudes& amplitudes)
@@ -61,11 +61,16 @@ void stack_batch(const LaneStack& stack, BatchPower& power, BatchAmplitudes& amp
 
 ScaledStack::ScaledStack(const LaneStack& stack) : stack_(std::make_unique<AngledStack>(stack))
 {
-    stack_->turn_to(stack.cos_0);
+    turn_to(stack.cos_0);
 }
 ScaledStack::ScaledStack(ScaledStack&&) noexcept = default;
 ScaledStack& ScaledStack::operator=(ScaledStack&&) noexcept = default;
 ScaledStack::~ScaledStack() = default;
+
+void ScaledStack::turn_to(const Lanes& cos_0)
+{
+    stack_->turn_to(cos_0);
+}
 
 void ScaledStack::march(double first, double step, std::span<Lanes> R, std::span<Lanes> T) const
 {
@@ -74,13 +79,14 @@ void ScaledStack::march(double first, double step, std::span<Lanes> R, std::span
     stack_->find_trips(steps, step);
     const std::vector<Crossing> crossings = stack_->crossings(trips, 0, stack_->layers() + 1);
     LaneFields fields;
-    LanePower s, p;
+    BatchPower power;
+    power.doubt.fill(0.0);
     for (std::size_t row = 0; row < R.size(); ++row) {
         carry_down_wave(fields, crossings);
-        finish_power(s, p, fields, stack_->ends());
+        finish_power(power.s, power.p, power.doubt, fields, stack_->ends());
         for (std::size_t i = 0; i < kLanes; ++i) {
-            R[row][i] = 0.5 * (s.R[i] + p.R[i]);
-            T[row][i] = 0.5 * (s.T[i] + p.T[i]);
+            R[row][i] = 0.5 * (power.s.R[i] + power.p.R[i]);
+            T[row][i] = 0.5 * (power.s.T[i] + power.p.T[i]);
         }
         for (std::size_t t = 0; t < trips.size(); ++t) add_trip(trips[t], steps[t]);
     }

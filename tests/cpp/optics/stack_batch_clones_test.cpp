@@ -58,13 +58,15 @@ void expect_same_results(Kernels kernels)
 #if defined(__x86_64__)
 TEST(StackBatchClones, Avx2AgreesWithThePortableCode)
 {
-    if (!__builtin_cpu_supports("x86-64-v3")) GTEST_SKIP() << "this machine has no AVX2 with FMA";
+    if (!__builtin_cpu_supports("avx2") || !__builtin_cpu_supports("fma"))
+        GTEST_SKIP() << "this machine has no AVX2 with FMA";
     expect_same_results(run_avx2);
 }
 
 TEST(StackBatchClones, Avx512AgreesWithThePortableCode)
 {
-    if (!__builtin_cpu_supports("x86-64-v4")) GTEST_SKIP() << "this machine has no AVX-512";
+    if (!__builtin_cpu_supports("avx512vl") || !__builtin_cpu_supports("avx512dq"))
+        GTEST_SKIP() << "this machine has no AVX-512";
     expect_same_results(run_avx512);
 }
 #endif

@@ -45,6 +45,9 @@ struct FilmTableRequest {
     int max_texels = 4096;                   ///< per axis
     bool transmittance = false;              ///< also bake T
     std::optional<std::array<int, 2>> size;  ///< width, height; overrides the tolerance
+    /// False: the errors are NaN, and a bake costs a fifth.
+    /// @pre true or `size` is set
+    bool measure_error = true;
     /// Called with 0…1 while baking, from one thread at a time; returning false cancels.
     std::function<bool(double)> progress;
 };

@@ -11,9 +11,9 @@
 /// @file
 /// Many stacks of one depth at once, in double precision, for tables and arrays.
 ///
-/// A lane is one (wavelength, angle, …). The work is done in vectors of lanes for the instruction set
-/// that the machine has; from one to another results differ by roundings, far below 1e-13. The place
-/// of a lane, its neighbours and the number of threads never change a bit.
+/// A lane is one (wavelength, angle, …). The work is done in vectors of lanes for the instruction
+/// set that the machine has; from one to another results differ by roundings, far below 1e-13. The
+/// place of a lane, its neighbours and the number of threads never change a bit.
 
 namespace nacre::optics {
 
@@ -45,8 +45,8 @@ struct LanePower {
 
 struct BatchPower {
     LanePower s, p;
-    /// Bound on what double precision loses in R, T, r, t, near a critical angle inside the stack
-    /// and in thick layers; where it is too much, take `stack_amplitudes`.
+    /// Bound on what double precision loses in R, T, r, t, near a critical angle inside the stack,
+    /// in thick layers and at a resonance; where it is too much, take `stack_amplitudes`.
     Lanes doubt;
 };
 
@@ -64,15 +64,17 @@ class AngledStack;
 }
 
 /// Stacks whose indices and thicknesses stay while the angle changes. What does not depend on the
-/// angle is worked out once; layers of one medium share its root, layers of one medium and thickness
-/// their phase. Agrees with `stack_amplitudes` to 1e-13 times the number of layers, apart from
-/// `doubt`. One object for one thread.
+/// angle is worked out once; layers of one medium share its root, layers of one medium and
+/// thickness their phase. Agrees with `stack_amplitudes` to 1e-13 times the number of layers, apart
+/// from `doubt`. One object for one thread.
 class PreparedStack {
 public:
     /// @param stack  its `cos_0` is not read
     explicit PreparedStack(const LaneStack& stack);
     PreparedStack(PreparedStack&&) noexcept;
     PreparedStack& operator=(PreparedStack&&) noexcept;
+    PreparedStack(const PreparedStack&) = delete;
+    PreparedStack& operator=(const PreparedStack&) = delete;
     ~PreparedStack();
 
     void power(const Lanes& cos_0, BatchPower& out);
@@ -97,8 +99,16 @@ void mixed_batch(const LaneStack& stack, const std::vector<bool>& coherent, Lane
 ///     |a + bE|² = n0 + n1 e² + e (n2 cosφ + n3 sinφ),   |c + dE|² likewise,   T = τ e / |c + dE|².
 class PhaseMap {
 public:
+    /// At the angle of the stack.
     /// @param varying  index of the layer whose thickness is free; its `waves` are not read
     PhaseMap(const LaneStack& stack, std::size_t varying);
+    PhaseMap(PhaseMap&&) noexcept;
+    PhaseMap& operator=(PhaseMap&&) noexcept;
+    PhaseMap(const PhaseMap&) = delete;
+    PhaseMap& operator=(const PhaseMap&) = delete;
+    ~PhaseMap();
+
+    void turn_to(const Lanes& cos_0);
 
     /// Mean of s and p at `R.size()` equal steps of thickness; both arguments are thickness over
     /// wavelength, ≥ 0. The phase is multiplied on, so that a row costs no trigonometry; its error
@@ -112,6 +122,8 @@ public:
     };
 
 private:
+    struct Work;
+    std::unique_ptr<Work> work_;
     Coefficients s_, p_;
     ComplexLanes q_;
 };
@@ -120,10 +132,15 @@ private:
 /// of one step are worked out once; a row then costs only the recursion.
 class ScaledStack {
 public:
+    /// At the angle of the stack.
     explicit ScaledStack(const LaneStack& stack);
     ScaledStack(ScaledStack&&) noexcept;
     ScaledStack& operator=(ScaledStack&&) noexcept;
+    ScaledStack(const ScaledStack&) = delete;
+    ScaledStack& operator=(const ScaledStack&) = delete;
     ~ScaledStack();
+
+    void turn_to(const Lanes& cos_0);
 
     /// Mean of s and p at the factors first, first + step, …
     /// @pre R.size() == T.size(), first ≥ 0, step ≥ 0
