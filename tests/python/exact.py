@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Stacks by the textbook's characteristic matrices in 50 digits, where nothing overflows or cancels.
+"""Stacks by the textbook's characteristic matrices in 60 digits, where nothing overflows or cancels.
 
 Macleod, Thin-Film Optical Filters, section 2: (B, C) = Π (cos δ, -i sin δ/η; -i η sin δ, cos δ) (1, η_f)
 with the signs of exp(-iωt); r = (η_0 B - C)/(η_0 B + C), t = 2 η_0/(η_0 B + C).
@@ -13,7 +13,7 @@ from typing import NamedTuple
 import mpmath
 from mpmath import mp, mpc, mpf
 
-mp.dps = 50
+mp.dps = 60
 
 
 class Exact(NamedTuple):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""`nacre.stack` against the tmm package (Byrnes 2016) and against 50 digits."""
+"""`nacre.stack` against the tmm package (Byrnes 2016) and against 60 digits."""
 
 from __future__ import annotations
 
@@ -136,11 +136,27 @@ HARD = {
 }
 
 
+def random_stack(seed):
+    """Clear, absorbing and metallic layers in any order, at any angle."""
+    draw = random.Random(seed)
+    n = [draw.uniform(1.0, 1.6)]
+    for _ in range(draw.randint(5, 30)):
+        kind = draw.random()
+        k = 0.0 if kind < 0.5 else draw.uniform(0.0, 0.2 if kind < 0.85 else 5.0)
+        n.append(complex(draw.uniform(0.2 if k > 0.2 else 1.2, 2.6), k))
+    d_nm = [draw.uniform(0.0, 30.0 if medium.imag > 0.2 else 400.0) for medium in n[1:]]
+    return [*n, 1.5], d_nm, draw.uniform(0.0, 89.0), draw.uniform(360.0, 830.0)
+
+
+HARD |= {f"random-{seed}": random_stack(seed) for seed in range(12)}
+
+
 @pytest.mark.parametrize("pol", ["s", "p"])
-@pytest.mark.parametrize("name", HARD)
-def test_hard_stacks_agree_with_fifty_digits(name, pol):
-    expected = exact_stack(*HARD[name], pol)
-    ours = nacre.stack(*HARD[name], pol)
+@pytest.mark.parametrize("name", [*STACKS, *HARD])
+def test_stacks_agree_with_sixty_digits(name, pol):
+    stack = STACKS.get(name) or HARD[name]
+    expected = exact_stack(*stack, pol)
+    ours = nacre.stack(*stack, pol)
     assert abs(ours.R - expected.R) <= 1e-12
     assert abs(ours.T - expected.T) <= 1e-12
     assert ours.T >= 0
@@ -166,7 +182,7 @@ indices = st.one_of(
     wavelength=st.floats(200, 2000),
     pol=st.sampled_from("sp"),
 )
-def test_any_stack_agrees_with_fifty_digits(film, substrate, ambient, angle, wavelength, pol):
+def test_any_stack_agrees_with_sixty_digits(film, substrate, ambient, angle, wavelength, pol):
     n, d_nm = [ambient, *(layer[0] for layer in film), substrate], [layer[1] for layer in film]
     expected = exact_stack(n, d_nm, angle, wavelength, pol)
     ours = nacre.stack(n, d_nm, angle, wavelength, pol)
