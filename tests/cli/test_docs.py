@@ -8,16 +8,18 @@ A fenced block is run when `<!-- run -->` stands on the line before it; one with
 
 from __future__ import annotations
 
+import json
 import os
 import re
 import subprocess
 import sys
+from collections import Counter
 from pathlib import Path
 
 import pytest
 from conftest import ROOT
 
-DOCUMENTS = ("README.md", "CONTRIBUTING.md")
+DOCUMENTS = ("README.md", "CONTRIBUTING.md", "cpp_tools/doc/library.md")
 BLOCK = re.compile(
     r"<!-- (run|file: (?P<name>\S+)) -->\n```(?P<language>\w+)\n(?P<text>.*?)```", re.DOTALL
 )
@@ -61,5 +63,16 @@ def test_readme_has_commands_to_run():
 def test_links_of_the_document_lead_somewhere(document):
     text = (ROOT / document).read_text(encoding="utf-8")
     targets = re.findall(r"\]\(([^)#:]+)\)", text) + re.findall(r'src="([^":]+)"', text)
-    missing = [target for target in targets if not (ROOT / target).exists()]
+    folder = (ROOT / document).parent
+    missing = [target for target in targets if not (folder / target).exists()]
     assert not missing
+
+
+def test_library_page_counts_what_is_there(nacre):
+    media = json.loads(nacre.ok("library", "list", "--json"))
+    text = (ROOT / "cpp_tools/doc/library.md").read_text(encoding="utf-8")
+    assert f"carries {sum(entry['range_nm'] is not None for entry in media)} optical" in text
+    counted = Counter(tag for entry in media for tag in entry["tags"])
+    assert dict(re.findall(r"`(\w+)` \| (\d+)", text)) == {
+        tag: str(count) for tag, count in counted.items()
+    }

@@ -22,7 +22,7 @@ DATA:
 
 def test_every_medium_can_be_shown_with_its_citation(nacre):
     keys = json.loads(nacre.ok("library", "list", "--json"))
-    assert len(keys) > 10
+    assert len(keys) >= 198
     for entry in keys:
         shown = json.loads(nacre.ok("library", "show", entry["key"], "--at", "550", "--json"))
         assert shown["at"][0]["n"] > 0
@@ -37,6 +37,21 @@ def test_list_is_searched_without_regard_to_case(nacre):
     assert lines
     assert all("Johnson" in line for line in lines)
     assert nacre.ok("library", "list", "no such medium") == ""
+
+
+def test_list_by_formula_and_tag(nacre):
+    def keys(*arguments):
+        return {
+            entry["key"] for entry in json.loads(nacre.ok("library", "list", *arguments, "--json"))
+        }
+
+    assert "ethanol/Chang" in keys("C2H6O")
+    metals = keys("--tag", "metal")
+    assert {"Au/Johnson", "brass/Querry-Cu70Zn30"} <= metals
+    assert not metals & keys("--tag", "oxide")
+    assert keys("--tag", "alloy", "gold") < metals
+    assert keys("--tag", "no such tag") == set()
+    assert "tags: metal, alloy" in nacre.ok("library", "show", "brass/Querry-Cu70Zn30")
 
 
 def test_water_at_the_sodium_line(nacre):

@@ -25,7 +25,7 @@ using nlohmann::ordered_json;
 using spectral::Medium;
 
 struct LibraryOptions {
-    std::string filter, kind = "media", key;
+    std::string filter, tag, kind = "media", key;
     std::vector<double> wavelengths_nm;
     std::vector<std::string> files;
 };
@@ -43,7 +43,7 @@ std::string range_text(const Medium& medium)
     return std::isfinite(last) ? fmt::format("{:g} … {:g} nm", first, last) : "any wavelength";
 }
 
-/// Searches keys, names and citations without regard to case.
+/// Searches without regard to case.
 bool matches(const std::string& text, const std::string& filter)
 {
     const auto same = [](char a, char b) {
@@ -53,13 +53,25 @@ bool matches(const std::string& text, const std::string& filter)
     return std::search(text.begin(), text.end(), filter.begin(), filter.end(), same) != text.end();
 }
 
-void list_media(const std::string& filter, ordered_json& list, std::string& text)
+bool is_tagged(const Medium& medium, const std::string& tag)
+{
+    return tag.empty() || std::ranges::find(medium.tags, tag) != medium.tags.end();
+}
+
+void list_media(const LibraryOptions& options, ordered_json& list, std::string& text)
 {
     for (const std::string& key : spectral::library_keys()) {
         const Medium& medium = spectral::library_medium(key);
-        if (!matches(fmt::format("{} {} {}", key, medium.name, medium.references), filter))
+        if (!is_tagged(medium, options.tag) ||
+            !matches(fmt::format("{} {} {} {} {}", key, medium.name, medium.formula,
+                                 fmt::join(medium.tags, " "), medium.references),
+                     options.filter))
             continue;
-        list.push_back({{"key", key}, {"name", medium.name}, {"range_nm", range_json(medium)}});
+        list.push_back({{"key", key},
+                        {"name", medium.name},
+                        {"formula", medium.formula},
+                        {"tags", medium.tags},
+                        {"range_nm", range_json(medium)}});
         text += fmt::format("{:<28} {:<20} {}\n", key, range_text(medium), medium.name);
     }
 }
@@ -86,7 +98,7 @@ int list_library(const Session& session, const LibraryOptions& options)
 {
     ordered_json list = ordered_json::array();
     std::string text;
-    if (options.kind == "media") list_media(options.filter, list, text);
+    if (options.kind == "media") list_media(options, list, text);
     if (options.kind == "illuminants")
         list_names(spectral::illuminant_names(), options.filter, list, text);
     if (options.kind == "spaces")
@@ -109,6 +121,8 @@ int show_medium(const Session& session, const LibraryOptions& options)
     if (session.json) {
         const ordered_json result = {{"key", medium.key},
                                      {"name", medium.name},
+                                     {"formula", medium.formula},
+                                     {"tags", medium.tags},
                                      {"range_nm", range_json(medium)},
                                      {"references", medium.references},
                                      {"comments", medium.comments},
@@ -118,6 +132,8 @@ int show_medium(const Session& session, const LibraryOptions& options)
     }
     std::string text =
         fmt::format("{}: {}\nrange: {}\n", medium.key, medium.name, range_text(medium));
+    if (!medium.formula.empty()) text += fmt::format("formula: {}\n", medium.formula);
+    if (!medium.tags.empty()) text += fmt::format("tags: {}\n", fmt::join(medium.tags, ", "));
     if (!medium.references.empty()) text += fmt::format("references: {}\n", medium.references);
     if (!medium.comments.empty()) text += fmt::format("comments: {}\n", medium.comments);
     write_text_output("", text + values);
@@ -164,8 +180,11 @@ void add_list(CLI::App& library, Session& session, const std::shared_ptr<Library
 {
     CLI::App* list = library.add_subcommand("list", "what is built in, with names and ranges");
     list->fallthrough()->footer(
-        "\n  nacre library list iron\n  nacre library list --kind templates");
-    list->add_option("FILTER", options->filter, "part of a key, a name or a citation");
+        "\n  nacre library list iron\n  nacre library list --tag metal\n  nacre library list "
+        "--kind templates");
+    list->add_option("FILTER", options->filter,
+                     "part of a key, a name, a formula, a tag or a citation");
+    list->add_option("--tag", options->tag, "only media of this tag, e.g. metal, oxide, glass");
     list->add_option("--kind", options->kind)
         ->check(CLI::IsMember({"media", "illuminants", "spaces", "templates"}))
         ->capture_default_str();

@@ -36,10 +36,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
     return row.back();
 }
 
-/// Up to three keys that a user may have meant: the same book, or a few letters away.
+/// Keys that a user may have meant: every page of a book that was named, or else up to three that
+/// are a few letters away.
 std::vector<std::string> near_matches(std::string_view key)
 {
-    constexpr std::size_t kMost = 3;
+    constexpr std::size_t kMostFarther = 3;
     const std::string_view book = key.substr(0, key.find('/'));
     std::vector<std::pair<std::size_t, std::string>> ranked;
     for (std::string& candidate : library_keys()) {
@@ -50,9 +51,11 @@ std::vector<std::string> near_matches(std::string_view key)
         if (distance <= 2 + key.size() / 4) ranked.emplace_back(distance, std::move(candidate));
     }
     std::ranges::sort(ranked);
+    const auto same_book = static_cast<std::size_t>(
+        std::ranges::count_if(ranked, [](const auto& match) { return match.first == 0; }));
+    const std::size_t most = std::min(std::max(kMostFarther, same_book), ranked.size());
     std::vector<std::string> matches;
-    for (std::size_t i = 0; i < std::min(kMost, ranked.size()); ++i)
-        matches.push_back(std::move(ranked[i].second));
+    for (std::size_t i = 0; i < most; ++i) matches.push_back(std::move(ranked[i].second));
     return matches;
 }
 
@@ -63,6 +66,8 @@ Medium load_medium(std::string_view key)
                 .name = key == "air" ? "Air" : "Vacuum",
                 .references = "n = 1",
                 .comments = key == "air" ? "Taken as vacuum; air has n = 1.0003." : "",
+                .formula = {},
+                .tags = {"gas"},
                 .constants = constant_index(1.0)};
     const auto text = find_resource(fmt::format("{}{}{}", kFolder, key, kExtension));
     if (!text) {

@@ -236,6 +236,17 @@ std::string text_of(const YAML::Node& root, const char* key)
     return node.IsDefined() && node.IsScalar() ? plain_text(node.Scalar()) : std::string();
 }
 
+/// The scalars of a list; what is no list of scalars is no business of optics and is passed over.
+std::vector<std::string> texts_of(const YAML::Node& root, const char* key)
+{
+    std::vector<std::string> texts;
+    const YAML::Node list = root[key];
+    if (!list.IsDefined() || !list.IsSequence()) return texts;
+    for (const YAML::Node& item : list)
+        if (item.IsScalar()) texts.push_back(plain_text(item.Scalar()));
+    return texts;
+}
+
 }  // namespace
 
 Medium parse_refractiveindex_yaml(std::string_view text, std::string_view name)
@@ -249,13 +260,20 @@ Medium parse_refractiveindex_yaml(std::string_view text, std::string_view name)
     try {
         // Aliases are shared nodes in yaml-cpp, never copies, and its parser limits the depth.
         const YAML::Node root = YAML::Load(std::string(text));
-        Medium medium{.key = file, .name = file, .references = {}, .comments = {}, .constants = {}};
+        Medium medium{.key = file,
+                      .name = file,
+                      .references = {},
+                      .comments = {},
+                      .formula = {},
+                      .tags = {},
+                      .constants = {}};
         medium.constants = measured_constants(DataReader(file).read(root));
         medium.references = text_of(root, "REFERENCES");
         medium.comments = text_of(root, "COMMENTS");
-        const YAML::Node names = root["NAMES"];
-        if (names.IsDefined() && names.IsSequence() && names.size() > 0 && names[0].IsScalar())
-            medium.name = plain_text(names[0].Scalar());
+        medium.formula = text_of(root, "FORMULA");
+        medium.tags = texts_of(root, "TAGS");
+        if (auto names = texts_of(root, "NAMES"); !names.empty())
+            medium.name = std::move(names.front());
         return medium;
     } catch (const YAML::Exception& error) {
         throw InputError({file, line_of(error.mark), {}, "is not valid YAML: " + error.msg});

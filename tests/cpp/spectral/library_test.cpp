@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <map>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -13,17 +15,50 @@ namespace {
 TEST(Library, EveryEntryParsesAndHasACitation)
 {
     const auto keys = library_keys();
-    EXPECT_GE(keys.size(), 50u);
+    EXPECT_GE(keys.size(), 199u);
     EXPECT_TRUE(std::ranges::is_sorted(keys));
     for (const auto& key : keys) {
         const Medium& medium = library_medium(key);
         EXPECT_EQ(medium.key, key);
         EXPECT_NE(medium.name, "") << key;
         EXPECT_NE(medium.references, "") << key;
+        EXPECT_FALSE(medium.tags.empty()) << key;
         const auto [first, last] = medium.constants->range_nm();
+        // The published curves of these five start in the blue.
+        const bool starts_late = key == "PC/Sultanova" || key == "PMMA/Sultanova" ||
+                                 key == "PS/Sultanova" || key.starts_with("TiO2/Devore-");
+        EXPECT_LE(first, starts_late ? 436.8 + 1e-9 : 400.0 + 1e-9) << key;
+        EXPECT_GE(last, 700.0 - 1e-9) << key;
         for (const double nm : {first, (first + std::min(last, 2000.0)) / 2.0})
             EXPECT_GT(medium.constants->at(nm).real(), 0.0) << key << ' ' << nm;
     }
+}
+
+TEST(Library, KnowsFormulaAndKind)
+{
+    using Tags = std::vector<std::string>;
+    EXPECT_EQ(library_medium("Au/Johnson").formula, "Au");
+    EXPECT_EQ(library_medium("Au/Johnson").tags, Tags{"metal"});
+    EXPECT_EQ(library_medium("ethanol/Chang").formula, "C2H6O");
+    EXPECT_EQ(library_medium("brass/Querry-Cu70Zn30").tags, (Tags{"metal", "alloy"}));
+    EXPECT_EQ(library_medium("N-BK7/SCHOTT").formula, "");
+    std::map<std::string, int> count;
+    for (const auto& key : library_keys())
+        for (const auto& tag : library_medium(key).tags) ++count[tag];
+    for (const char* tag :
+         {"metal", "oxide", "nitride", "semiconductor", "glass", "polymer", "liquid", "biological"})
+        EXPECT_GE(count[tag], 6) << tag;
+}
+
+// Handbook values at the d line: CRC, 20 °C (ethanol, glycerol at 25 °C), OHARA catalogue.
+TEST(Library, HasTheIndicesOfHandbooks)
+{
+    EXPECT_NEAR(library_medium("ethanol/Chang").constants->at(587.5618).real(), 1.3614, 2e-3);
+    EXPECT_NEAR(library_medium("glycerol/Gupta").constants->at(587.5618).real(), 1.4730, 3e-3);
+    EXPECT_NEAR(library_medium("toluene/Chang").constants->at(587.5618).real(), 1.4961, 3e-3);
+    EXPECT_NEAR(library_medium("LiF/Li").constants->at(587.5618).real(), 1.3921, 1e-3);
+    EXPECT_NEAR(library_medium("S-FPL53/OHARA").constants->at(587.5618).real(), 1.43875, 1e-5);
+    EXPECT_NEAR(library_medium("air/Ciddor").constants->at(587.5618).real(), 1.000277, 1e-6);
 }
 
 // What the supplied templates and the documentation name.

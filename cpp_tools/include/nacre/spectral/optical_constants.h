@@ -50,6 +50,8 @@ struct Medium {
     std::string name;        ///< readable: first of NAMES in the file, or else the key
     std::string references;  ///< citation, plain text
     std::string comments;
+    std::string formula;            ///< chemical, e.g. `TiO2`; FORMULA in the file; may be empty
+    std::vector<std::string> tags;  ///< kind of matter, e.g. `metal`; TAGS in the file
     OpticalConstantsPtr constants;
 };
 
