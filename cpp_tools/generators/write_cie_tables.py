@@ -23,6 +23,9 @@ LICENCE = (
     "colour-science, BSD-3-Clause."
 )
 STEP_NOTE = "Between the samples: linear. Above the last sample: its value (CIE 015:2018, 7.2.3)."
+BOTH_ENDS_NOTE = (
+    "Between the samples: linear. Beyond either end: the value there (CIE 015:2018, 7.2.3)."
+)
 
 OBSERVERS = {
     "cie_1931_2deg_1nm": (
@@ -38,11 +41,30 @@ OBSERVERS = {
 }
 ILLUMINANTS = {
     "cie_a": ("A", "CIE standard illuminant A", "ISO/CIE 11664-2:2022"),
+    "cie_b": ("B", "CIE illuminant B, withdrawn", "CIE 1931"),
+    "cie_c": ("C", "CIE illuminant C", "CIE 015:2018"),
     "cie_d50": ("D50", "CIE standard illuminant D50", "CIE 015:2018, table 6"),
     "cie_d55": ("D55", "CIE illuminant D55", "CIE 015:2018, table 6"),
     "cie_d65": ("D65", "CIE standard illuminant D65", "ISO/CIE 11664-2:2022"),
     "cie_d75": ("D75", "CIE illuminant D75", "CIE 015:2018, table 6"),
 }
+
+LED_NAMES = ["B1", "B2", "B3", "B4", "B5", "BH1", "RGB1", "V1", "V2"]
+# File, title, source, then the columns: our name and that of colour-science.
+FAMILIES = [
+    (
+        "cie_fluorescent",
+        "CIE illuminants F1 to F12 (FL1 to FL12), fluorescent lamps",
+        "CIE 015:2018",
+        [(f"F{i}", f"FL{i}") for i in range(1, 13)],
+    ),
+    (
+        "cie_led",
+        "CIE illuminants LED-B1 to LED-V2, white LEDs",
+        "CIE 015:2018",
+        [(f"LED-{name}", f"LED-{name}") for name in LED_NAMES],
+    ),
+]
 
 
 def write_table(path: Path, header: list[str], columns: list[str], rows) -> None:
@@ -87,6 +109,16 @@ def write_illuminants() -> None:
     )
 
 
+def write_families() -> None:
+    for name, title, source, columns in FAMILIES:
+        tables = [colour.SDS_ILLUMINANTS[key] for _, key in columns]
+        header = [title, f"Source: {source}", TAKEN_FROM, LICENCE, BOTH_ENDS_NOTE]
+        rows = zip(tables[0].wavelengths, *(table.values for table in tables), strict=True)
+        names = ["wavelength_nm", *(ours for ours, _ in columns)]
+        write_table(DATA / "spd" / f"{name}.csv", header, names, rows)
+
+
 if __name__ == "__main__":
     write_observers()
     write_illuminants()
+    write_families()

@@ -87,7 +87,7 @@ def light_on_grid(name):
     """The CIE's table in steps of 5 nm, linear in between."""
     if name == "E":
         return np.ones(471)
-    light = colour.SDS_ILLUMINANTS[name]
+    light = colour.SDS_ILLUMINANTS[f"FL{name[1:]}" if name.startswith("F") else name]
     return np.interp(GRID, light.wavelengths, light.values)
 
 
@@ -151,6 +151,73 @@ def test_named_lights_have_their_published_chromaticity(nacre, name):
     answer = nacre.evaluate("spectrum", {"illuminant": name})
     assert answer["xy"] == pytest.approx(PUBLISHED_XY[name], abs=3e-5)
     assert answer["XYZ"][1] == pytest.approx(1, abs=1e-15)
+
+
+LED = [f"LED-{name}" for name in ("B1", "B2", "B3", "B4", "B5", "BH1", "RGB1", "V1", "V2")]
+DAYLIGHT = ["D50", "D55", "D65", "D75"]
+LIGHTS = ["E", "A", "B", "C", *DAYLIGHT, *(f"F{i}" for i in range(1, 13)), *LED]
+
+
+def test_every_light_is_listed(nacre):
+    listed = nacre.ok("library", "list", "--kind", "illuminants").split()
+    assert sorted(listed) == sorted(LIGHTS)
+
+
+@pytest.mark.parametrize("observer", list(OBSERVERS))
+def test_every_light_agrees_with_colour_science(nacre, observer):
+    answers = nacre.evaluate(
+        "spectrum", [{"illuminant": name, "observer": observer} for name in LIGHTS]
+    )
+    for name, answer in zip(LIGHTS, answers, strict=True):
+        expected = reference_xyz(light_on_grid(name), observer, np.ones(471))
+        assert answer["XYZ"] == pytest.approx((expected / expected[1]).tolist(), abs=1e-9), name
+
+
+def test_colour_temperature_of_every_light_agrees_with_colour_science(nacre):
+    for name, answer in zip(
+        LIGHTS, nacre.evaluate("spectrum", [{"illuminant": n} for n in LIGHTS]), strict=True
+    ):
+        uv = colour.UCS_to_uv(colour.XYZ_to_UCS(np.array(answer["XYZ"])))
+        cct, duv = colour.temperature.uv_to_CCT_Ohno2013(uv)
+        assert answer["cct_K"] == pytest.approx(cct, abs=0.1), name
+        assert answer["duv"] == pytest.approx(duv, abs=1e-6), name
+
+
+@pytest.mark.parametrize("illuminant", ["D65", "A"])
+@pytest.mark.parametrize("chart", ["ISO 17321-1", "ColorChecker N Ohta"])
+def test_colour_checker_agrees_with_colour_science(nacre, chart, illuminant):
+    patches = colour.SDS_COLOURCHECKERS[chart]
+    records = [
+        {
+            "wavelength_nm": patch.wavelengths.tolist(),
+            "values": patch.values.tolist(),
+            "kind": "reflectance",
+            "illuminant": illuminant,
+        }
+        for patch in patches.values()
+    ]
+    assert len(records) == 24
+    light = light_on_grid(illuminant)
+    for record, answer in zip(records, nacre.evaluate("spectrum", records), strict=True):
+        expected = reference_xyz(on_grid(record), "cie1931", light)
+        assert np.max(np.abs(np.array(answer["XYZ"]) - expected)) <= 1e-9
+
+
+def test_lights_by_temperature_and_lines(nacre):
+    hot, same, mercury, alone = nacre.evaluate(
+        "spectrum",
+        [
+            {"illuminant": "blackbody:3500"},
+            {"blackbody_K": 3500},
+            {"illuminant": "line:436@2,546@1"},
+            {"illuminant": "line:546"},
+        ],
+    )
+    assert hot == same
+    at = dict(zip(GRID, cmfs("cie1931").values, strict=True))
+    xyz = 2 * at[436] + at[546]
+    assert mercury["XYZ"] == pytest.approx((xyz / xyz[1]).tolist(), abs=1e-12)
+    assert alone["cct_K"] is None
 
 
 def test_colour_temperature(nacre):
@@ -217,6 +284,9 @@ def test_bad_record(nacre, name):
         ({"blackbody_K": 10}, "blackbody_K: must be in [100, 1000000] (got 10)"),
         ({"daylight_K": 3000}, "daylight_K: must be in [4000, 25000] (got 3000)"),
         ({"illuminant": "D66"}, "illuminant: must be one of"),
+        ({"illuminant": 65}, "illuminant: "),
+        ({"illuminant": "line:546@-1"}, "illuminant: must have lines of a finite power > 0"),
+        ({"illuminant": "blackbody:1"}, "illuminant: must be within 100 … 1000000 K (got 1)"),
         ({"illuminant": "A", "space": "x"}, "space: is not known here"),
         ({}, "wavelength_nm: is missing"),
     ],

@@ -46,7 +46,8 @@ record  {"wavelength_nm": […], "values": […], "kind": "emission|reflectance"
         {"illuminant": "D50"}, {"blackbody_K": 2856} or {"daylight_K": 6504}, with "observer" or not
   wavelength_nm  ascending. To 1 nm: by Sprague where six or more stand in equal steps (CIE 167),
                  else linearly; outside of them the nearest value counts (CIE 015:2018, 7.2.3)
-  illuminant     of a reflectance (default D65)
+  illuminant     of a reflectance (default D65): a name of `nacre library list --kind illuminants`,
+                 blackbody:3200, daylight:5600, line:589.3 or line:435.8@1,546.1@0.8 (power after @)
   observer       default cie1931
 result  {"XYZ": […], "xy": […], "Lab": […], "rgb": […], "space": "…", "cct_K": …, "duv": …}
         emission is normalised with k = 1/∫ȳ dλ, reflectance with k = 1/∫Sȳ dλ; illuminants, whose
@@ -56,6 +57,8 @@ result  {"XYZ": […], "xy": […], "Lab": […], "rgb": […], "space": "…", 
 
 The white point of D50:
   echo '{"illuminant": "D50"}' | nacre eval spectrum
+Two lines of mercury:
+  echo '{"illuminant": "line:435.8@1,546.1@0.8"}' | nacre eval spectrum
 In a space of an OpenColorIO config:
   nacre eval spectrum chips.json --config config.ocio --space ACEScg)";
 

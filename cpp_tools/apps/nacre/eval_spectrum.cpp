@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "eval.h"
+#include "nacre/core/diagnostics.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/spectrum.h"
 
@@ -55,9 +56,15 @@ ObserverId read_observer(ObjectReader& reader)
 
 std::optional<Illuminant> read_illuminant(ObjectReader& reader)
 {
-    const auto names = spectral::illuminant_names();
-    const auto name = reader.choice("illuminant", {names.begin(), names.end()});
-    return name ? std::optional(spectral::named_illuminant(*name)) : std::nullopt;
+    const auto text = reader.text("illuminant");
+    if (!text) return std::nullopt;
+    try {
+        return spectral::named_illuminant(*text);
+    } catch (const InputError& error) {
+        for (const Diagnostic& problem : error.diagnostics())
+            reader.problem("illuminant", problem.message);
+        return std::nullopt;
+    }
 }
 
 /// Records that name a light: `illuminant`, `blackbody_K` or `daylight_K` alone.

@@ -21,7 +21,8 @@ void add_table_options(CLI::App& command, TableOptions& options)
         ->capture_default_str();
     command
         .add_option("--illuminant", options.illuminant,
-                    fmt::format("{}", fmt::join(spectral::illuminant_names(), ", ")))
+                    fmt::format("{}, {}", fmt::join(spectral::illuminant_names(), ", "),
+                                spectral::kIlluminantForms))
         ->capture_default_str();
     command.add_option("--observer", options.observer, "cie1931, cie1964")->capture_default_str();
     add_colour_target_options(command, options.colour);

@@ -63,6 +63,13 @@ Mat3 bradford(const Vec3& from_white, const Vec3& to_white)
     constexpr Mat3 kCone = {
         {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
     const Vec3 from = multiply(kCone, from_white);
+    // Of a line of sodium, say: no factor on the cones makes it white.
+    if (!(std::ranges::min(from) > 0.0))
+        throw InputError({.file = {},
+                          .field = "illuminant",
+                          .message = fmt::format("must have a white that Bradford can adapt, cone "
+                                                 "responses all > 0 (got {}, {}, {})",
+                                                 from[0], from[1], from[2])});
     const Vec3 to = multiply(kCone, to_white);
     const Mat3 scale = diagonal({to[0] / from[0], to[1] / from[1], to[2] / from[2]});
     return multiply(inverse(kCone), multiply(scale, kCone));

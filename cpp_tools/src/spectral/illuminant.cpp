@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "csv_table.h"
@@ -14,20 +13,6 @@
 namespace nacre::spectral {
 
 namespace {
-
-struct NamedTable {
-    const char* name;
-    const char* path;  ///< null: 1 at every wavelength
-};
-
-constexpr NamedTable kTables[] = {
-    {"E", nullptr},
-    {"A", "spd/cie_a.csv"},
-    {"D65", "spd/cie_d65.csv"},
-    {"D50", "spd/cie_d50.csv"},
-    {"D55", "spd/cie_d55.csv"},
-    {"D75", "spd/cie_d75.csv"},
-};
 
 /// The CIE defines its illuminants between the published samples by linear interpolation.
 Sampled column_on_grid(const CsvTable& table, std::size_t column)
@@ -43,30 +28,6 @@ Sampled column_on_grid(const CsvTable& table, std::size_t column)
 }
 
 }  // namespace
-
-Illuminant named_illuminant(std::string_view name)
-{
-    const auto* const found = std::ranges::find(kTables, name, &NamedTable::name);
-    if (found == std::end(kTables))
-        throw InputError({.file = {},
-                          .field = "illuminant",
-                          .message = fmt::format("must be one of {} (got '{}')",
-                                                 fmt::join(illuminant_names(), ", "), name)});
-    Illuminant illuminant{.name = found->name, .power = {}};
-    if (found->path == nullptr) {
-        illuminant.power.fill(1.0);
-    } else {
-        illuminant.power = column_on_grid(load_csv(found->path, 2), 1);
-    }
-    return illuminant;
-}
-
-std::vector<std::string> illuminant_names()
-{
-    std::vector<std::string> names;
-    for (const NamedTable& table : kTables) names.emplace_back(table.name);
-    return names;
-}
 
 Illuminant blackbody(double kelvin)
 {

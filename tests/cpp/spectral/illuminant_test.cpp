@@ -51,13 +51,84 @@ TEST(NamedIlluminant, HasThePublishedChromaticities)
     }
 }
 
+TEST(NamedIlluminant, ReadsItsOwnColumnOfAFamily)
+{
+    // CIE 015:2018, as colour-science 0.4.6 carries it.
+    EXPECT_EQ(named_illuminant("F1").power[at_nm(435)], 43.67);
+    EXPECT_EQ(named_illuminant("F12").power[at_nm(545)], 65.4);
+    EXPECT_EQ(named_illuminant("LED-B1").power[at_nm(450)], 7.89);
+    EXPECT_EQ(named_illuminant("LED-V2").power[at_nm(610)], 16.03);
+}
+
 TEST(NamedIlluminant, RefusesOtherNamesWithAList)
 {
-    EXPECT_EQ(illuminant_names().size(), 6u);
+    EXPECT_EQ(illuminant_names().size(), 29u);
     for (const auto& name : illuminant_names()) EXPECT_EQ(named_illuminant(name).name, name);
     EXPECT_INPUT_ERROR((void)named_illuminant("D60"),
-                       "illuminant: must be one of E, A, D65, D50, D55, D75 (got 'D60')");
+                       "illuminant: must be one of E, A, D65, D50, D55, D75, B, C, F1, ");
+    EXPECT_INPUT_ERROR((void)named_illuminant("D60"),
+                       "LED-V2, blackbody:<K>, daylight:<K>, "
+                       "line:<nm>[@<power>][,<nm>[@<power>]…] (got 'D60')");
     EXPECT_INPUT_ERROR((void)named_illuminant(""), "must be one of");
+    EXPECT_INPUT_ERROR((void)named_illuminant("blackbody"), "must be one of");
+}
+
+TEST(NamedIlluminant, TakesATemperature)
+{
+    EXPECT_EQ(named_illuminant("blackbody:3200").power, blackbody(3200).power);
+    EXPECT_EQ(named_illuminant("daylight:5600.5").power, daylight(5600.5).power);
+    EXPECT_EQ(named_illuminant("blackbody:3200").name, "blackbody:3200");
+    EXPECT_INPUT_ERROR((void)named_illuminant("blackbody:hot"),
+                       "illuminant: must have a number as temperature in K (got 'hot')");
+    EXPECT_INPUT_ERROR((void)named_illuminant("blackbody:3200 K"), "(got '3200 K')");
+    EXPECT_INPUT_ERROR((void)named_illuminant("daylight:nan"), "must be within 4000 … 25000 K");
+}
+
+TEST(LineSpectrum, ReadsTheObserverAtTheLine)
+{
+    // 589.3 nm: 0.7 of the value at 589 and 0.3 of that at 590.
+    const Observer& cmf = observer(ObserverId::cie1931);
+    const Vec3 xyz = emission_to_xyz(named_illuminant("line:589.3").power, ObserverId::cie1931);
+    const std::size_t i = at_nm(589);
+    EXPECT_NEAR(xyz[0] * cmf.sum_y, 0.7 * cmf.x[i] + 0.3 * cmf.x[i + 1], 1e-12);
+    EXPECT_NEAR(xyz[1] * cmf.sum_y, 0.7 * cmf.y[i] + 0.3 * cmf.y[i + 1], 1e-12);
+    EXPECT_NEAR(xyz[2] * cmf.sum_y, 0.7 * cmf.z[i] + 0.3 * cmf.z[i + 1], 1e-12);
+}
+
+TEST(LineSpectrum, AddsItsLines)
+{
+    const Sampled& power = named_illuminant("line:360@2,546@0.8,546.5,830").power;
+    EXPECT_EQ(power.front(), 2.0);
+    EXPECT_NEAR(power[at_nm(546)], 1.3, 1e-15);
+    EXPECT_NEAR(power[at_nm(547)], 0.5, 1e-15);
+    EXPECT_EQ(power.back(), 1.0);
+}
+
+TEST(LineSpectrum, LightsOnlyWhatCanBeAdapted)
+{
+    const ColourSpace& space = colour_space("lin_rec709_scene");
+    EXPECT_INPUT_ERROR(
+        (void)reflectance_weights(named_illuminant("line:589.3"), ObserverId::cie1931, space),
+        "illuminant: must have a white that Bradford can adapt");
+    Sampled white;
+    white.fill(1.0);
+    const Vec3 rgb = reflectance_weights(named_illuminant("line:435.8@1,546.1@0.8,611@0.7"),
+                                         ObserverId::cie1931, space)
+                         .apply(white);
+    for (const double value : rgb) EXPECT_NEAR(value, 1.0, 1e-12);
+}
+
+TEST(LineSpectrum, RefusesWhatIsNoLine)
+{
+    EXPECT_INPUT_ERROR((void)line_spectrum({}), "illuminant: must have at least one line");
+    EXPECT_INPUT_ERROR((void)named_illuminant("line:"), "a number as wavelength (got '')");
+    EXPECT_INPUT_ERROR((void)named_illuminant("line:546,"), "a number as wavelength (got '')");
+    EXPECT_INPUT_ERROR((void)named_illuminant("line:546@"), "a number as power (got '')");
+    EXPECT_INPUT_ERROR((void)named_illuminant("line:546@1@2"), "as power (got '1@2')");
+    EXPECT_INPUT_ERROR((void)named_illuminant("line:359.9"), "within 360 … 830 nm (got 359.9)");
+    EXPECT_INPUT_ERROR((void)named_illuminant("line:nan"), "(got nan)");
+    EXPECT_INPUT_ERROR((void)named_illuminant("line:546@0"), "a finite power > 0 (got 0)");
+    EXPECT_INPUT_ERROR((void)named_illuminant("line:546@inf"), "a finite power > 0 (got inf)");
 }
 
 // colour-science 0.4.6, sd_blackbody on the grid of the observer, and XYZ_to_xy of its XYZ.

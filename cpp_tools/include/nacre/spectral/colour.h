@@ -45,6 +45,7 @@ struct ColourTemperature {
 [[nodiscard]] std::optional<ColourTemperature> colour_temperature(const Vec3& xyz);
 
 /// Bradford adaptation between two whites given as XYZ.
+/// @throws InputError when a cone response of `from_white` is not > 0, as of a line of sodium.
 [[nodiscard]] Mat3 bradford(const Vec3& from_white, const Vec3& to_white);
 
 /// A scene-linear space that is a matrix away from XYZ. The XYZ side is relative to D65 (the

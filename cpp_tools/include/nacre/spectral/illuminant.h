@@ -16,10 +16,25 @@ struct Illuminant {
     Sampled power;
 };
 
-/// "E", "A", "D65", "D50", "D55", "D75"; tables from data/spd, E is 1 everywhere.
-/// @throws InputError for an unknown name; the message lists the names.
-[[nodiscard]] Illuminant named_illuminant(std::string_view name);
+/// By text: a name of `illuminant_names()`, whose tables come from data/spd (E is 1 everywhere), or
+/// one of `kIlluminantForms`: `blackbody:3200`, `daylight:5600`, `line:589.3`,
+/// `line:435.8@1,546.1@0.8`.
+/// @throws InputError for anything else; the message lists names and forms.
+[[nodiscard]] Illuminant named_illuminant(std::string_view text);
+inline constexpr std::string_view kIlluminantForms =
+    "blackbody:<K>, daylight:<K>, line:<nm>[@<power>][,<nm>[@<power>]…]";
+/// CIE E, A, B, C, D50, D55, D65, D75, F1 … F12, LED-B1 … LED-V2.
 [[nodiscard]] std::vector<std::string> illuminant_names();
+
+struct SpectralLine {
+    double wavelength_nm, power;
+};
+
+/// Infinitely narrow lines. One between two points of the grid is shared by both, so that sums over
+/// the grid read a function linearly at the line.
+/// @throws InputError when there is none, one is outside the grid, or a power is not finite and >
+/// 0.
+[[nodiscard]] Illuminant line_spectrum(const std::vector<SpectralLine>& lines);
 
 /// Planck's law with c2 = 1.4388e-2 m K (CIE 015), scaled to 100 at 560 nm.
 /// @throws InputError outside 100 … 1e6 K.

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "csv_table.h"
+#include "nacre/core/diagnostics.h"
+#include "nacre/spectral/illuminant.h"
+#include "nacre/spectral/spectrum.h"
+
+namespace nacre::spectral {
+
+namespace {
+
+struct NamedTable {
+    const char* name;
+    const char* path;  ///< null: 1 at every wavelength
+    std::size_t column = 1, columns = 2;
+};
+
+constexpr const char* kFluorescent = "spd/cie_fluorescent.csv";
+constexpr const char* kLed = "spd/cie_led.csv";
+
+constexpr NamedTable kTables[] = {
+    {"E", nullptr},
+    {"A", "spd/cie_a.csv"},
+    {"D65", "spd/cie_d65.csv"},
+    {"D50", "spd/cie_d50.csv"},
+    {"D55", "spd/cie_d55.csv"},
+    {"D75", "spd/cie_d75.csv"},
+    {"B", "spd/cie_b.csv"},
+    {"C", "spd/cie_c.csv"},
+    {"F1", kFluorescent, 1, 13},
+    {"F2", kFluorescent, 2, 13},
+    {"F3", kFluorescent, 3, 13},
+    {"F4", kFluorescent, 4, 13},
+    {"F5", kFluorescent, 5, 13},
+    {"F6", kFluorescent, 6, 13},
+    {"F7", kFluorescent, 7, 13},
+    {"F8", kFluorescent, 8, 13},
+    {"F9", kFluorescent, 9, 13},
+    {"F10", kFluorescent, 10, 13},
+    {"F11", kFluorescent, 11, 13},
+    {"F12", kFluorescent, 12, 13},
+    {"LED-B1", kLed, 1, 10},
+    {"LED-B2", kLed, 2, 10},
+    {"LED-B3", kLed, 3, 10},
+    {"LED-B4", kLed, 4, 10},
+    {"LED-B5", kLed, 5, 10},
+    {"LED-BH1", kLed, 6, 10},
+    {"LED-RGB1", kLed, 7, 10},
+    {"LED-V1", kLed, 8, 10},
+    {"LED-V2", kLed, 9, 10},
+};
+
+[[noreturn]] void throw_problem(std::string message)
+{
+    throw InputError({.file = {}, .field = "illuminant", .message = std::move(message)});
+}
+
+/// The whole of `text` as a number.
+double number(std::string_view text, std::string_view what)
+{
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size())
+        throw_problem(fmt::format("must have a number as {} (got '{}')", what, text));
+    return value;
+}
+
+SpectralLine parse_line(std::string_view text)
+{
+    const std::size_t at = text.find('@');
+    SpectralLine line{.wavelength_nm = number(text.substr(0, at), "wavelength"), .power = 1.0};
+    if (at != std::string_view::npos) line.power = number(text.substr(at + 1), "power");
+    return line;
+}
+
+std::vector<SpectralLine> parse_lines(std::string_view text)
+{
+    std::vector<SpectralLine> lines;
+    for (;;) {
+        const std::size_t comma = text.find(',');
+        lines.push_back(parse_line(text.substr(0, comma)));
+        if (comma == std::string_view::npos) return lines;
+        text.remove_prefix(comma + 1);
+    }
+}
+
+Illuminant tabulated(const NamedTable& table)
+{
+    Illuminant illuminant{.name = table.name, .power = {}};
+    if (table.path == nullptr) {
+        illuminant.power.fill(1.0);
+        return illuminant;
+    }
+    CsvTable csv = load_csv(table.path, table.columns);
+    illuminant.power = Spectrum(std::move(csv.columns[0]), std::move(csv.columns[table.column]))
+                           .on_grid(Interpolation::linear);
+    return illuminant;
+}
+
+}  // namespace
+
+Illuminant named_illuminant(std::string_view name)
+{
+    const auto* const found = std::ranges::find(kTables, name, &NamedTable::name);
+    if (found != std::end(kTables)) return tabulated(*found);
+
+    const std::size_t colon = name.find(':');
+    const std::string_view kind = name.substr(0, colon);
+    const bool has_value = colon != std::string_view::npos;
+    const std::string_view value = has_value ? name.substr(colon + 1) : std::string_view();
+    Illuminant illuminant{};
+    if (has_value && kind == "blackbody") {
+        illuminant = blackbody(number(value, "temperature in K"));
+    } else if (has_value && kind == "daylight") {
+        illuminant = daylight(number(value, "temperature in K"));
+    } else if (has_value && kind == "line") {
+        illuminant = line_spectrum(parse_lines(value));
+    } else {
+        throw_problem(fmt::format("must be one of {}, {} (got '{}')",
+                                  fmt::join(illuminant_names(), ", "), kIlluminantForms, name));
+    }
+    illuminant.name = name;
+    return illuminant;
+}
+
+std::vector<std::string> illuminant_names()
+{
+    std::vector<std::string> names;
+    for (const NamedTable& table : kTables) names.emplace_back(table.name);
+    return names;
+}
+
+Illuminant line_spectrum(const std::vector<SpectralLine>& lines)
+{
+    if (lines.empty()) throw_problem("must have at least one line");
+    Illuminant illuminant{.name = "lines", .power = {}};
+    for (const auto& [nm, power] : lines) {
+        if (!(nm >= kFirstNm && nm <= kLastNm))
+            throw_problem(fmt::format("must have its lines within {} … {} nm (got {})", kFirstNm,
+                                      kLastNm, nm));
+        if (!(power > 0.0) || !std::isfinite(power))
+            throw_problem(fmt::format("must have lines of a finite power > 0 (got {})", power));
+        // Shared by the two neighbours as their distances say: every sum over the grid then equals
+        // the value at the line, linear in between.
+        const double below = std::floor(nm);
+        const auto i = static_cast<std::size_t>(below - kFirstNm);
+        illuminant.power[i] += power * (1.0 - (nm - below));
+        if (nm > below) illuminant.power[i + 1] += power * (nm - below);
+    }
+    return illuminant;
+}
+
+}  // namespace nacre::spectral
