@@ -129,6 +129,7 @@ TEST(Library, IsTheSameFromManyThreads)
     std::vector<const Medium*> seen(8);
     {
         std::vector<std::jthread> threads;
+        threads.reserve(seen.size());
         for (auto& medium : seen)
             threads.emplace_back([&medium] { medium = &library_medium("Cu/Johnson"); });
     }
