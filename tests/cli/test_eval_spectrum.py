@@ -299,3 +299,56 @@ def test_unknown_space_lists_the_known_ones(nacre):
     errors = nacre.fails("eval", "spectrum", "--space", "srgb", stdin=json.dumps(RAMP))
     assert "lin_rec709_scene" in errors
     assert "srgb" in errors
+
+
+@pytest.mark.parametrize(("option", "how"), [("bradford", "Bradford"), ("cat16", "CAT16")])
+def test_white_is_adapted_as_asked(nacre, option, how):
+    light = {"illuminant": "A"}
+    chip = {"wavelength_nm": GRID.tolist(), "values": rough(7, 471), "kind": "reflectance"}
+    batch = json.dumps([light, chip | light])
+    white, answer = json.loads(nacre.ok("eval", "spectrum", "--cat", option, stdin=batch))
+    matrix = colour.adaptation.matrix_chromatic_adaptation_VonKries(
+        np.array(white["XYZ"]), colour.xy_to_XYZ([0.3127, 0.3290]), how
+    )
+    rgb_to_xyz = colour.RGB_COLOURSPACES["ITU-R BT.709"].matrix_RGB_to_XYZ
+    expected = np.linalg.solve(rgb_to_xyz, matrix @ answer["XYZ"])
+    np.testing.assert_allclose(answer["rgb"], expected, rtol=0, atol=1e-4)  # theirs: four digits
+
+
+def test_a_line_lights_a_reflectance_that_is_not_adapted(nacre):
+    record = json.dumps(
+        {
+            "wavelength_nm": [400, 700],
+            "values": [0.5, 0.5],
+            "kind": "reflectance",
+            "illuminant": "line:589.3",
+        }
+    )
+    assert "can be adapted" in nacre.fails("eval", "spectrum", stdin=record)
+    answer = json.loads(nacre.ok("eval", "spectrum", "--cat", "none", stdin=record))
+    assert answer["XYZ"][1] == pytest.approx(0.5, abs=1e-12)
+    assert answer["rgb"][0] > answer["rgb"][1] > 0 > answer["rgb"][2]
+
+
+def test_colours_are_brought_into_the_gamut(nacre):
+    green = json.dumps({"illuminant": "line:520"})
+
+    def rgb(mapping):
+        output = nacre.ok("eval", "spectrum", "--gamut", mapping, stdin=green)
+        return np.array(json.loads(output)["rgb"])
+
+    kept = rgb("keep")
+    assert kept.min() < 0
+    np.testing.assert_array_equal(rgb("clip"), kept.clip(0, 1))
+    scaled = (kept / kept.max()).clip(0, 1)
+    np.testing.assert_allclose(rgb("scale"), scaled, rtol=0, atol=1e-15)
+    assert 0 <= rgb("desaturate").min()
+    assert rgb("desaturate").max() <= 1
+
+
+def test_gamut_needs_an_rgb_space(nacre):
+    errors = nacre.fails(
+        *("eval", "spectrum", "--space", "xyz_d65", "--gamut", "clip"),
+        stdin=json.dumps({"illuminant": "A"}),
+    )
+    assert "--gamut: must be keep in a space that is not RGB" in errors

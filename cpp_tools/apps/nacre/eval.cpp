@@ -19,6 +19,7 @@ namespace {
 struct EvalOptions {
     std::string input = "-", output;
     ColourTargetOptions colour;
+    std::string adaptation = "bradford", gamut = "keep";
 };
 
 constexpr const char* kStackHelp = R"(
@@ -193,6 +194,19 @@ CLI::App* add_kind(CLI::App& eval, const char* name, const char* description, co
     return kind;
 }
 
+ColourChoices resolve_choices(const EvalOptions& options, const ColourTarget& target)
+{
+    const ColourChoices choices{.adaptation = spectral::adaptation_from_name(options.adaptation),
+                                .gamut = spectral::gamut_mapping_from_name(options.gamut)};
+    if (choices.gamut == spectral::GamutMapping::desaturate) (void)linear_space(target);
+    const bool rgb = !target.linear || target.linear->chromaticities;
+    if (choices.gamut != spectral::GamutMapping::keep && !rgb)
+        throw InputError({"", 0, "--gamut",
+                          fmt::format("must be keep in a space that is not RGB, {} (got {})",
+                                      target.name, options.gamut)});
+    return choices;
+}
+
 }  // namespace
 
 void add_eval(CLI::App& app, Session& session)
@@ -230,11 +244,23 @@ void add_eval(CLI::App& app, Session& session)
     CLI::App* spectrum = add_kind(*eval, "spectrum", "colour and colour temperature of a spectrum",
                                   kSpectrumHelp, options);
     add_colour_target_options(*spectrum, options->colour);
+    spectrum
+        ->add_option("--cat", options->adaptation,
+                     "adaptation of a reflectance's white to D65: bradford, cat16, or none")
+        ->check(CLI::IsMember({"bradford", "cat16", "none"}))
+        ->capture_default_str();
+    spectrum
+        ->add_option("--gamut", options->gamut,
+                     "rgb outside [0, 1]: keep; clip each channel; desaturate towards the grey of "
+                     "the same luminance; scale all channels by one factor")
+        ->check(CLI::IsMember({"keep", "clip", "desaturate", "scale"}))
+        ->capture_default_str();
     spectrum->callback([&session, options] {
         session.run = [&session, options] {
             const ColourTarget target = resolve_colour_target(options->colour);
-            return evaluate_file(session, *options, [&target](const json& record) {
-                return evaluate_spectrum(record, target);
+            const ColourChoices choices = resolve_choices(*options, target);
+            return evaluate_file(session, *options, [&](const json& record) {
+                return evaluate_spectrum(record, target, choices);
             });
         };
     });

@@ -8,6 +8,7 @@
 #include "colour_target.h"
 #include "json_input.h"
 #include "nacre/optics/fresnel.h"
+#include "nacre/spectral/gamut.h"
 
 /// @file
 /// The records of `nacre eval`: one JSON object in, one out.
@@ -26,6 +27,13 @@ using RecordEvaluator = std::function<ordered_json(const json& record)>;
 [[nodiscard]] ordered_json evaluate_slits(const json& record);
 [[nodiscard]] ordered_json evaluate_stack(const json& record);
 [[nodiscard]] ordered_json evaluate_grating(const json& record);
-[[nodiscard]] ordered_json evaluate_spectrum(const json& record, const ColourTarget& target);
+
+/// How `evaluate_spectrum` comes from XYZ to rgb.
+struct ColourChoices {
+    spectral::Adaptation adaptation = spectral::Adaptation::bradford;
+    spectral::GamutMapping gamut = spectral::GamutMapping::keep;
+};
+[[nodiscard]] ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
+                                             const ColourChoices& choices);
 
 }  // namespace nacre::tool

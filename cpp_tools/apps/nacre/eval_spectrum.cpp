@@ -38,13 +38,13 @@ Colour source_colour(const Illuminant& source, ObserverId observer)
 }
 
 Colour reflectance_colour(const spectral::Sampled& reflectance, const Illuminant& illuminant,
-                          ObserverId observer)
+                          ObserverId observer, spectral::Adaptation how)
 {
     spectral::Sampled perfect;
     perfect.fill(1.0);
     const Vec3 white = spectral::reflectance_to_xyz(perfect, illuminant, observer);
     const Vec3 xyz = spectral::reflectance_to_xyz(reflectance, illuminant, observer);
-    return {xyz, multiply(spectral::bradford(white, d65()), xyz), white};
+    return {xyz, multiply(spectral::adaptation(how, white, d65()), xyz), white};
 }
 
 ObserverId read_observer(ObjectReader& reader)
@@ -118,7 +118,7 @@ std::optional<spectral::Spectrum> read_samples(ObjectReader& reader)
     return spectral::Spectrum(*wavelengths, *values);
 }
 
-Colour read_sampled(ObjectReader& reader, DiagnosticList& problems)
+Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, spectral::Adaptation how)
 {
     const auto samples = read_samples(reader);
     const auto kind = reader.choice("kind", {"emission", "reflectance"});
@@ -133,10 +133,10 @@ Colour read_sampled(ObjectReader& reader, DiagnosticList& problems)
     problems.throw_if_any();
     if (*kind == "emission")
         return emission_colour(spectral::emission_to_xyz(samples->on_grid(), observer));
-    return reflectance_colour(samples->on_grid(), *illuminant, observer);
+    return reflectance_colour(samples->on_grid(), *illuminant, observer, how);
 }
 
-Colour read_colour(const json& record)
+Colour read_colour(const json& record, spectral::Adaptation how)
 {
     DiagnosticList problems;
     ObjectReader reader(record, "", problems);
@@ -145,14 +145,22 @@ Colour read_colour(const json& record)
     if (!sampled)
         for (const char* key : {"blackbody_K", "daylight_K", "illuminant"})
             if (reader.has(key)) return read_source(reader, key, problems);
-    return read_sampled(reader, problems);
+    return read_sampled(reader, problems, how);
+}
+
+Vec3 into_gamut(const ColourTarget& target, const Vec3& rgb, spectral::GamutMapping mapping)
+{
+    // Only a linear space has a luminance; resolve_choices() saw to it that it is not needed here.
+    const Vec3 luminance = target.linear ? target.linear->to_xyz_d65[1] : Vec3{};
+    return spectral::map_to_gamut(rgb, mapping, luminance);
 }
 
 }  // namespace
 
-ordered_json evaluate_spectrum(const json& record, const ColourTarget& target)
+ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
+                               const ColourChoices& choices)
 {
-    const Colour colour = read_colour(record);
+    const Colour colour = read_colour(record, choices.adaptation);
     const auto& xyz = colour.xyz;
     ordered_json xy = nullptr, cct = nullptr, duv = nullptr;
     if (xyz[0] + xyz[1] + xyz[2] > 0.0) xy = spectral::xyz_to_xy(xyz);
@@ -165,7 +173,7 @@ ordered_json evaluate_spectrum(const json& record, const ColourTarget& target)
     return {{"XYZ", xyz},
             {"xy", xy},
             {"Lab", spectral::xyz_to_lab(xyz, colour.lab_white)},
-            {"rgb", target.from_xyz_d65(colour.xyz_d65)},
+            {"rgb", into_gamut(target, target.from_xyz_d65(colour.xyz_d65), choices.gamut)},
             {"space", target.name},
             {"cct_K", cct},
             {"duv", duv}};

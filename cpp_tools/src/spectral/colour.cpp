@@ -74,12 +74,12 @@ Vec3 ColourWeights::apply(const Sampled& reflectance) const noexcept
 }
 
 ColourWeights reflectance_weights(const Illuminant& illuminant, ObserverId observer_id,
-                                  const ColourSpace& space)
+                                  const ColourSpace& space, Adaptation how)
 {
     Sampled one;
     one.fill(1.0);
     const Vec3 white = reflectance_to_xyz(one, illuminant, observer_id);
-    const Mat3 from_xyz = multiply(space.from_xyz_d65, bradford(white, d65_white()));
+    const Mat3 from_xyz = multiply(space.from_xyz_d65, adaptation(how, white, d65_white()));
 
     const Observer& cmf = observer(observer_id);
     const double k = 1.0 / integrate(illuminant.power, cmf)[1];

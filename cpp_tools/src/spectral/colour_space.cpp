@@ -31,8 +31,8 @@ Mat3 primaries_to_xyz(const std::array<double, 8>& chromaticities) noexcept
 ColourSpace rgb_space(std::string name, const std::array<double, 8>& chromaticities)
 {
     const Vec3 white = xyz_of_chromaticity(chromaticities[6], chromaticities[7]);
-    const Mat3 to_xyz_d65 =
-        multiply(bradford(white, d65_white()), primaries_to_xyz(chromaticities));
+    const Mat3 to_xyz_d65 = multiply(adaptation(Adaptation::bradford, white, d65_white()),
+                                     primaries_to_xyz(chromaticities));
     return {.name = std::move(name),
             .from_xyz_d65 = inverse(to_xyz_d65),
             .to_xyz_d65 = to_xyz_d65,
@@ -57,22 +57,39 @@ const std::vector<ColourSpace>& spaces()
 
 }  // namespace
 
-Mat3 bradford(const Vec3& from_white, const Vec3& to_white)
+Adaptation adaptation_from_name(std::string_view name)
 {
-    // Lam 1985; the matrix as in ICC.1:2022, annex E.
-    constexpr Mat3 kCone = {
+    if (name == "bradford") return Adaptation::bradford;
+    if (name == "cat16") return Adaptation::cat16;
+    if (name == "none") return Adaptation::none;
+    throw InputError(
+        {.file = {},
+         .field = "adaptation",
+         .message = fmt::format("must be one of bradford, cat16, none (got '{}')", name)});
+}
+
+Mat3 adaptation(Adaptation how, const Vec3& from_white, const Vec3& to_white)
+{
+    if (how == Adaptation::none) return diagonal({1.0, 1.0, 1.0});
+    // ICC.1:2022, annex E; Li et al. 2017, Color Research & Application 42, 703.
+    constexpr Mat3 kBradford = {
         {{0.8951, 0.2664, -0.1614}, {-0.7502, 1.7135, 0.0367}, {0.0389, -0.0685, 1.0296}}};
-    const Vec3 from = multiply(kCone, from_white);
+    constexpr Mat3 kCat16 = {{{0.401288, 0.650173, -0.051461},
+                              {-0.250268, 1.204414, 0.045854},
+                              {-0.002079, 0.048952, 0.953127}}};
+    const Mat3& cones = how == Adaptation::bradford ? kBradford : kCat16;
+    const Vec3 from = multiply(cones, from_white);
     // Of a line of sodium, say: no factor on the cones makes it white.
     if (!(std::ranges::min(from) > 0.0))
-        throw InputError({.file = {},
-                          .field = "illuminant",
-                          .message = fmt::format("must have a white that Bradford can adapt, cone "
-                                                 "responses all > 0 (got {}, {}, {})",
-                                                 from[0], from[1], from[2])});
-    const Vec3 to = multiply(kCone, to_white);
+        throw InputError(
+            {.file = {},
+             .field = "illuminant",
+             .message = fmt::format("must have a white that can be adapted, cone responses all > 0 "
+                                    "(got {}, {}, {}); adaptation none takes it as it is",
+                                    from[0], from[1], from[2])});
+    const Vec3 to = multiply(cones, to_white);
     const Mat3 scale = diagonal({to[0] / from[0], to[1] / from[1], to[2] / from[2]});
-    return multiply(inverse(kCone), multiply(scale, kCone));
+    return multiply(inverse(cones), multiply(scale, cones));
 }
 
 Vec3 d65_white() noexcept

@@ -96,32 +96,38 @@ TEST(XyzToLab, MatchesColourScience)
     expect_near(xyz_to_lab({0.0, 0.0, 0.0}, d65_white()), {0.0, 0.0, 0.0}, 1e-12, "black");
 }
 
-// colour-science 0.4.6, matrix_chromatic_adaptation_VonKries from A to D65.
-TEST(Bradford, MatchesColourScience)
-{
-    const Mat3 matrix = bradford({1.09849383083705, 1.0, 0.355907946191721}, d65_white());
-    const Mat3 expected = {{{0.8446708157874697, -0.1179353538397371, 0.39483692950501376},
-                            {-0.13664709501422526, 1.1041295135351894, 0.12918081158821446},
-                            {0.07985367045111388, -0.13490757096252193, 3.192529331025619}}};
-    for (std::size_t row = 0; row < 3; ++row) expect_near(matrix[row], expected[row], 1e-12, "row");
-}
-
-TEST(Bradford, TakesOneWhiteToTheOther)
-{
-    const Vec3 from = {1.1, 1.0, 0.36}, to = {0.96, 1.0, 0.82};
-    const Mat3 matrix = bradford(from, to);
-    Vec3 moved{};
-    for (std::size_t row = 0; row < 3; ++row)
-        moved[row] = matrix[row][0] * from[0] + matrix[row][1] * from[1] + matrix[row][2] * from[2];
-    expect_near(moved, to, 1e-14, "white");
-}
-
 Vec3 transformed(const Mat3& matrix, const Vec3& v)
 {
     Vec3 product{};
     for (std::size_t row = 0; row < 3; ++row)
         product[row] = matrix[row][0] * v[0] + matrix[row][1] * v[1] + matrix[row][2] * v[2];
     return product;
+}
+
+// colour-science 0.4.6, matrix_chromatic_adaptation_VonKries from A to D65.
+TEST(Adaptation, MatchesColourScience)
+{
+    const Vec3 white = {1.09849383083705, 1.0, 0.355907946191721};
+    const Mat3 bradford = {{{0.8446708157874697, -0.1179353538397371, 0.39483692950501376},
+                            {-0.13664709501422526, 1.1041295135351894, 0.12918081158821446},
+                            {0.07985367045111388, -0.13490757096252193, 3.192529331025619}}};
+    const Mat3 cat16 = {{{0.9506832435505792, -0.18740134941659636, 0.2628140207283055},
+                         {-0.025668580387721854, 1.0323112379010648, -0.011560463155804293},
+                         {-0.0027408294876850557, 0.09097539090115649, 2.8127867187406097}}};
+    for (const auto& [how, expected] :
+         {std::pair{Adaptation::bradford, bradford}, {Adaptation::cat16, cat16}}) {
+        const Mat3 matrix = adaptation(how, white, d65_white());
+        for (std::size_t row = 0; row < 3; ++row)
+            expect_near(matrix[row], expected[row], 1e-12, "row");
+    }
+}
+
+TEST(Adaptation, TakesOneWhiteToTheOther)
+{
+    const Vec3 from = {1.1, 1.0, 0.36}, to = {0.96, 1.0, 0.82};
+    for (const Adaptation how : {Adaptation::bradford, Adaptation::cat16})
+        expect_near(transformed(adaptation(how, from, to), from), to, 1e-14, "white");
+    expect_near(transformed(adaptation(Adaptation::none, from, to), from), from, 0.0, "itself");
 }
 
 // colour-science 0.4.6, XYZ_to_RGB with matrices derived from the primaries and Bradford.
@@ -234,7 +240,8 @@ TEST(ReflectanceWeights, AgreeWithXyzAdaptationAndMatrix)
         const ObserverId id = observer_from_name(shape.observer);
         const ColourSpace& space = colour_space("lin_ap1_scene");
         const Vec3 white = reflectance_to_xyz(constant(1.0), light, id);
-        const Vec3 xyz_d65 = transformed(bradford(white, d65_white()), shape.xyz);
+        const Vec3 xyz_d65 =
+            transformed(adaptation(Adaptation::bradford, white, d65_white()), shape.xyz);
         const auto weights = reflectance_weights(light, id, space);
         expect_near(weights.apply(bell(shape)), transformed(space.from_xyz_d65, xyz_d65), 1e-13,
                     shape.illuminant);

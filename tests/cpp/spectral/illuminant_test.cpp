@@ -109,7 +109,7 @@ TEST(LineSpectrum, LightsOnlyWhatCanBeAdapted)
     const ColourSpace& space = colour_space("lin_rec709_scene");
     EXPECT_INPUT_ERROR(
         (void)reflectance_weights(named_illuminant("line:589.3"), ObserverId::cie1931, space),
-        "illuminant: must have a white that Bradford can adapt");
+        "illuminant: must have a white that can be adapted");
     Sampled white;
     white.fill(1.0);
     const Vec3 rgb = reflectance_weights(named_illuminant("line:435.8@1,546.1@0.8,611@0.7"),

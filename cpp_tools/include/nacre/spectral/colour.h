@@ -44,9 +44,18 @@ struct ColourTemperature {
 /// to a temperature outside 1000 … 100 000 K.
 [[nodiscard]] std::optional<ColourTemperature> colour_temperature(const Vec3& xyz);
 
-/// Bradford adaptation between two whites given as XYZ.
+enum class Adaptation {
+    bradford,  ///< Lam 1985, as in ICC.1:2022
+    cat16,     ///< Li et al. 2017, complete
+    none,
+};
+
+/// "bradford", "cat16" or "none". @throws InputError for any other name.
+[[nodiscard]] Adaptation adaptation_from_name(std::string_view name);
+
+/// Takes colours under one white, given as XYZ, to another: von Kries factors on cone responses.
 /// @throws InputError when a cone response of `from_white` is not > 0, as of a line of sodium.
-[[nodiscard]] Mat3 bradford(const Vec3& from_white, const Vec3& to_white);
+[[nodiscard]] Mat3 adaptation(Adaptation how, const Vec3& from_white, const Vec3& to_white);
 
 /// A scene-linear space that is a matrix away from XYZ. The XYZ side is relative to D65 (the
 /// `cie_xyz_d65_interchange` of OpenColorIO): D65 is (1, 1, 1) in every RGB space here, as it is
@@ -66,7 +75,7 @@ struct ColourSpace {
 
 /// Turns a reflectance spectrum into a colour by one weighted sum: rgb[c] = Σ weight[c][i] R[i].
 /// Holds observer, illuminant, adaptation to D65 and the space's matrix; Σ weight[c] = 1 in an RGB
-/// space, so that a perfect white becomes exactly (1, 1, 1).
+/// space, so that a perfect white becomes exactly (1, 1, 1), unless it is not adapted.
 struct ColourWeights {
     std::array<Sampled, 3> weight;
     std::string space, illuminant;
@@ -77,6 +86,7 @@ struct ColourWeights {
 };
 
 [[nodiscard]] ColourWeights reflectance_weights(const Illuminant& illuminant, ObserverId observer,
-                                                const ColourSpace& space);
+                                                const ColourSpace& space,
+                                                Adaptation how = Adaptation::bradford);
 
 }  // namespace nacre::spectral

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string_view>
+
+#include "nacre/spectral/colour.h"
+
+/// @file
+/// Colours outside the gamut of an RGB space: a negative channel, or one above 1.
+
+namespace nacre::spectral {
+
+enum class GamutMapping {
+    keep,        ///< as they are
+    clip,        ///< each channel into [0, 1] by itself: hue and luminance shift
+    desaturate,  ///< towards the grey of the same luminance, just as far as needed
+    scale,       ///< brighter than 1: all channels by one factor; negative ones become 0 before
+};
+
+/// "keep", "clip", "desaturate" or "scale". @throws InputError for any other name.
+[[nodiscard]] GamutMapping gamut_mapping_from_name(std::string_view name);
+
+/// @param luminance  Y of the three primaries: row 1 of the space's `to_xyz_d65`, of sum 1. Only
+///                   `desaturate` reads it; where Y is outside [0, 1] the result is black or white.
+[[nodiscard]] Vec3 map_to_gamut(const Vec3& rgb, GamutMapping mapping,
+                                const Vec3& luminance) noexcept;
+
+}  // namespace nacre::spectral
