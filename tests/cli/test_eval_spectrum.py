@@ -342,7 +342,7 @@ def test_colours_are_brought_into_the_gamut(nacre):
     np.testing.assert_array_equal(rgb("clip"), kept.clip(0, 1))
     scaled = (kept / kept.max()).clip(0, 1)
     np.testing.assert_allclose(rgb("scale"), scaled, rtol=0, atol=1e-15)
-    assert 0 <= rgb("desaturate").min()
+    assert rgb("desaturate").min() >= 0
     assert rgb("desaturate").max() <= 1
 
 
