@@ -23,6 +23,7 @@ void set_to_nothing(LaneTrip& trip)
         phase->re.fill(1.0);
         phase->im.fill(0.0);
     }
+    trip.share.fill(1.0);
 }
 
 }  // namespace

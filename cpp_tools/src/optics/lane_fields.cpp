@@ -23,8 +23,8 @@ constexpr std::size_t kNormaliseEvery = 4;
 /// Waves of one polarisation in registers.
 template <std::size_t Count>
 struct Registers {
-    std::array<C, Count> a, b, passed;
-    V least = V{} + std::numeric_limits<double>::max();  ///< |passed|² of the first
+    std::array<C, Count> a, b;
+    V passed = V{} + 1.0, least = V{} + std::numeric_limits<double>::max();
 
     NACRE_INLINE void cross(C q_1, C q_2)
     {
@@ -34,12 +34,10 @@ struct Registers {
             b[w] = x - y;
         }
     }
-    NACRE_INLINE void pass(C through, C E)
+    NACRE_INLINE void pass(V through, C E)
     {
-        for (std::size_t w = 0; w < Count; ++w) {
-            b[w] = b[w] * E;
-            passed[w] = passed[w] * through;
-        }
+        for (C& up : b) up = up * E;
+        passed = passed * through;
     }
     /// Products of many q would overflow. Waves that belong together keep their ratios.
     NACRE_INLINE void normalise()
@@ -50,10 +48,9 @@ struct Registers {
         for (std::size_t w = 0; w < Count; ++w) {
             a[w] = scale * a[w];
             b[w] = scale * b[w];
-            passed[w] = scale * passed[w];
         }
-        const V strength = simd::norm(passed[0]);
-        least = strength < least ? strength : least;
+        passed = passed * scale * scale;
+        least = passed < least ? passed : least;
     }
 };
 
@@ -65,7 +62,6 @@ NACRE_INLINE Registers<Count> one_wave_each()
     for (std::size_t w = 0; w < Count; ++w) {
         waves.a[w] = {V{} + (w == 0 ? 1.0 : 0.0), V{}};
         waves.b[w] = {V{} + (w == 0 ? 0.0 : 1.0), V{}};
-        waves.passed[w] = {V{} + 1.0, V{}};
     }
     return waves;
 }
@@ -82,8 +78,7 @@ NACRE_INLINE void carry(const std::array<LaneFields*, Count>& fields,
             s.cross(q_1, q_2);
             p.cross(q_1, q_2 * load(*crossing.ratio, i));
             const C E = load(crossing.trip->E, i);
-            const C doubled{q_1.re + q_1.re, q_1.im + q_1.im};
-            const C through = doubled * load(crossing.trip->half, i);
+            const V through = 4.0 * simd::norm(q_1) * load(crossing.trip->share, i);
             s.pass(through, E);
             p.pass(through, E);
             if (j % kNormaliseEvery == kNormaliseEvery - 1) {
@@ -93,13 +88,13 @@ NACRE_INLINE void carry(const std::array<LaneFields*, Count>& fields,
         }
         store(fields[0]->least_s, i, s.least);
         store(fields[0]->least_p, i, p.least);
+        store(fields[0]->passed_s, i, s.passed);
+        store(fields[0]->passed_p, i, p.passed);
         for (std::size_t w = 0; w < Count; ++w) {
             store(fields[w]->s.a, i, s.a[w]);
             store(fields[w]->s.b, i, s.b[w]);
-            store(fields[w]->passed_s, i, s.passed[w]);
             store(fields[w]->p.a, i, p.a[w]);
             store(fields[w]->p.b, i, p.b[w]);
-            store(fields[w]->passed_p, i, p.passed[w]);
         }
     }
 }
@@ -177,6 +172,7 @@ NACRE_VECTOR_CLONES void find_trip(LaneTrip& out, const LaneRoot& root, const La
         const C half = decay * simd::cis_turns(q.re * wave);
         store(out.half, i, half);
         store(out.E, i, half * half);
+        store(out.share, i, decay * decay);
     }
 }
 
@@ -186,6 +182,7 @@ NACRE_VECTOR_CLONES void add_trip(LaneTrip& trip, const LaneTrip& more)
         const C half = load(trip.half, i) * load(more.half, i);
         store(trip.half, i, half);
         store(trip.E, i, half * half);
+        store(trip.share, i, load(trip.share, i) * load(more.share, i));
     }
 }
 
@@ -215,8 +212,8 @@ NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, Lanes& doubt,
         const auto [scale_s, scale_p] = power_scale(ends, i);
         const V over_s = 1.0 / simd::norm(load(fields.s.a, i));
         const V over_p = 1.0 / simd::norm(load(fields.p.a, i));
-        const V t_s = over_s * simd::norm(load(fields.passed_s, i));
-        const V t_p = over_p * simd::norm(load(fields.passed_p, i));
+        const V t_s = over_s * load(fields.passed_s, i);
+        const V t_p = over_p * load(fields.passed_p, i);
         store(s.R, i, over_s * simd::norm(load(fields.s.b, i)));
         store(p.R, i, over_p * simd::norm(load(fields.p.b, i)));
         store(s.T, i, scale_s * t_s);
@@ -228,18 +225,35 @@ NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, Lanes& doubt,
     }
 }
 
+NACRE_VECTOR_CLONES void gather_phase(ComplexLanes& out, const std::vector<Crossing>& crossings)
+{
+    constexpr double kNotZero = 1e-300;
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        C product{V{} + 1.0, V{}};
+        for (std::size_t j = crossings.size(); j-- > 0;) {
+            product = product * load(*crossings[j].q_1, i) * load(crossings[j].trip->half, i);
+            if (j % kNormaliseEvery != 0) continue;
+            const V size = simd::absolute(product.re) + simd::absolute(product.im);
+            product = (1.0 / (size + kNotZero)) * product;
+        }
+        store(out, i, (1.0 / (simd::square_root(simd::norm(product)) + kNotZero)) * product);
+    }
+}
+
 NACRE_VECTOR_CLONES void finish_amplitudes(LaneAmplitudes& s, LaneAmplitudes& p,
-                                           const LaneFields& fields, const LaneEnds& ends)
+                                           const LaneFields& fields, const ComplexLanes& phase,
+                                           const LaneEnds& ends)
 {
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
         const C over_s = simd::reciprocal(load(fields.s.a, i));
         const C over_p = simd::reciprocal(load(fields.p.a, i));
+        const C passed = load(phase, i);
         store(s.r, i, over_s * load(fields.s.b, i));
         store(p.r, i, over_p * load(fields.p.b, i));
-        store(s.t, i, over_s * load(fields.passed_s, i));
+        store(s.t, i, over_s * (simd::square_root(load(fields.passed_s, i)) * passed));
         // H was carried for p; E = H/n.
         const C to_field = load(*ends.n_above, i) * simd::reciprocal(load(*ends.n_below, i));
-        store(p.t, i, to_field * (over_p * load(fields.passed_p, i)));
+        store(p.t, i, to_field * (over_p * (simd::square_root(load(fields.passed_p, i)) * passed)));
     }
 }
 

@@ -33,17 +33,18 @@ struct LaneRoot {
 /// One passage through a layer at an angle.
 struct LaneTrip {
     ComplexLanes half, E;  ///< e^{iδ}, e^{2iδ}
+    Lanes share;           ///< |E|, what is left of a power
 };
 
 struct Waves {
     ComplexLanes a, b;
 };
 
-/// Waves of both polarisations, and what t gathers on the way.
+/// Waves of both polarisations, and what |t|² gathers on the way: the product of all |2q₁ e^{iδ}|².
 struct LaneFields {
     Waves s, p;
-    ComplexLanes passed_s, passed_p;
-    /// Least |passed|² at a wave of about 1 anywhere in the stack: |t|² over it is how much
+    Lanes passed_s, passed_p;
+    /// Least `passed` at a wave of about 1 anywhere in the stack: |t|² over it is how much
     /// stronger than outside the field is there.
     Lanes least_s, least_p;
 };
@@ -71,6 +72,9 @@ void carry_down_wave(LaneFields& fields, const std::vector<Crossing>& crossings)
 /// The same, and for one that goes up; both scaled alike.
 void carry_both_waves(LaneFields& down, LaneFields& up, const std::vector<Crossing>& crossings);
 
+/// Direction of the product of all 2q₁ e^{iδ}, of modulus 1; 0 where it underflows.
+void gather_phase(ComplexLanes& out, const std::vector<Crossing>& crossings);
+
 /// Ends of a stack at an angle.
 struct LaneEnds {
     const ComplexLanes *n_above, *n_below, *q_above, *q_below;
@@ -78,7 +82,8 @@ struct LaneEnds {
 /// @param doubt  multiplied by the enhancement of the field: a resonance enlarges errors of phase
 void finish_power(LanePower& s, LanePower& p, Lanes& doubt, const LaneFields& fields,
                   const LaneEnds& ends);
+/// @param phase  of gather_phase()
 void finish_amplitudes(LaneAmplitudes& s, LaneAmplitudes& p, const LaneFields& fields,
-                       const LaneEnds& ends);
+                       const ComplexLanes& phase, const LaneEnds& ends);
 
 }  // namespace nacre::optics::detail

@@ -46,7 +46,9 @@ void PreparedStack::power(const Lanes& cos_0, BatchPower& out)
 void PreparedStack::respond(const Lanes& cos_0, BatchPower& power, BatchAmplitudes& amplitudes)
 {
     this->power(cos_0, power);
-    finish_amplitudes(amplitudes.s, amplitudes.p, work_->fields, work_->stack.ends());
+    ComplexLanes phase;
+    gather_phase(phase, work_->crossings);
+    finish_amplitudes(amplitudes.s, amplitudes.p, work_->fields, phase, work_->stack.ends());
 }
 
 void stack_batch(const LaneStack& stack, BatchPower& power)
