@@ -36,7 +36,11 @@ Colour reflectance_colour(const spectral::Sampled& values, const char* illuminan
     perfect.fill(1.0);
     const Vec3 white = reflectance_to_xyz(perfect, light, observer);
     const Vec3 xyz = reflectance_to_xyz(values, light, observer);
-    return {xyz, multiply(spectral::adaptation(spectral::Adaptation::bradford, white, spectral::d65_white()), xyz), white};
+    return {
+        xyz,
+        multiply(spectral::adaptation(spectral::Adaptation::bradford, white, spectral::d65_white()),
+                 xyz),
+        white};
 }
 
 optics::ProfileKind profile_kind(std::string_view name)
