@@ -115,6 +115,37 @@ def test_coherence_may_list_the_outer_media_as_tmm_does(nacre):
     assert first == second
 
 
+FILM = {**GLASS, "n": [1, 1.33, [1.5, 0.1], 1.5], "d_nm": [3000, 200], "angle_deg": 30}
+
+
+def test_spread_and_bandwidth_are_averages(nacre):
+    """The spread of 9 nm against a sum over thicknesses; the bandwidth of the same effect."""
+    x = [0.02 * i for i in range(-400, 401)]
+    batch = [{**FILM, "d_nm": [3000 + 9 * each, 200]} for each in x]
+    weights = [0.02 * math.exp(-each * each / 2) / math.sqrt(2 * math.pi) for each in x]
+    expected = sum(
+        w * one["R"] for w, one in zip(weights, nacre.evaluate("stack", batch), strict=True)
+    )
+    fwhm = 9 / 3000 * FILM["wavelength_nm"] * 2 * math.sqrt(2 * math.log(2))
+    spread, band = nacre.evaluate(
+        "stack",
+        [{**FILM, "spread_nm": [9, 0]}, {**FILM, "d_nm": [3000, 0], "bandwidth_nm": fwhm}],
+    )
+    assert spread["R"] == pytest.approx(expected, abs=1e-12)
+    assert spread["r"] is None
+    alike = nacre.evaluate("stack", {**FILM, "d_nm": [3000, 0], "spread_nm": [9, 0]})
+    assert band["R"] == pytest.approx(alike["R"], abs=1e-14)
+
+
+def test_layers_say_what_they_absorb(nacre):
+    plain, s, p, u = nacre.evaluate(
+        "stack", [FILM, *({**FILM, "pol": pol, "layers": True} for pol in "spu")]
+    )
+    assert "A_layers" not in plain
+    assert s["A_layers"] == pytest.approx([0, s["A"]], abs=1e-14)
+    assert u["A_layers"][1] == pytest.approx((s["A_layers"][1] + p["A_layers"][1]) / 2, abs=1e-15)
+
+
 def test_fifty_micrometres_of_metal_reflect_like_the_bulk_and_pass_nothing(nacre):
     metal = [0.2, 3.4]
     thick = {**GLASS, "n": [[1, 0], metal, [1.5, 0]], "d_nm": [50_000], "angle_deg": 45, "pol": "p"}
@@ -219,6 +250,21 @@ BAD = {
     "coherence-word": (
         {"n": [[1, 0], [1.3, 0], [1.5, 0]], "d_nm": [5], "coherence": ["x"]},
         'coherence[0]: must be c or i (got "x")',
+    ),
+    "spread-length": ({"spread_nm": [1]}, "spread_nm: must have one value for each of the 0"),
+    "spread-negative": (
+        {"n": [1, 1.3, 1.5], "d_nm": [5], "spread_nm": [-2]},
+        "spread_nm[0]: must be ≥ 0 (got -2)",
+    ),
+    "spread-incoherent": (
+        {"n": [1, 1.3, 1.5], "d_nm": [5], "spread_nm": [2], "coherence": ["i"]},
+        "spread_nm[0]: must be 0 in a layer that is incoherent (got 2)",
+    ),
+    "bandwidth": ({"bandwidth_nm": -1}, "bandwidth_nm: must be ≥ 0 (got -1)"),
+    "layers-word": ({"layers": "yes"}, 'layers: must be true or false (got "yes")'),
+    "layers-of-averages": (
+        {"n": [1, 1.3, 1.5], "d_nm": [5], "layers": True, "bandwidth_nm": 2},
+        "layers: must be false where layers have a spread or light a bandwidth",
     ),
 }
 

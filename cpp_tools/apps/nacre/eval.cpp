@@ -24,7 +24,8 @@ struct EvalOptions {
 
 constexpr const char* kStackHelp = R"(
 record  {"n": [[re, im], …], "d_nm": […], "angle_deg": 30, "wavelength_nm": 550,
-         "pol": "s|p|u", "coherence": ["i", "c", …]}
+         "pol": "s|p|u", "coherence": ["i", "c", …], "spread_nm": […], "bandwidth_nm": 0,
+         "layers": false}
   n              indices from the ambient to the substrate, [n, k] or n alone: n > 0, k ≥ 0, and
                  k = 0 in the ambient
   d_nm           thickness of the 0 … 64 layers between, ≥ 0
@@ -32,12 +33,18 @@ record  {"n": [[re, im], …], "d_nm": […], "angle_deg": 30, "wavelength_nm": 
   pol            s, p, or u for the mean of both
   coherence      optional: "c" or "i" a layer (default c); or, as in the tmm package, a medium,
                  with "i" at both ends
-result  {"R": …, "T": …, "A": …, "r": [re, im], "t": [re, im]}; r and t are null for u and where a
-        layer is incoherent
+  spread_nm      optional: standard deviation of each thickness within what is looked at
+  bandwidth_nm   optional: Gaussian band of the light, full width at half maximum
+  layers         optional: true adds what each layer absorbs, without spread and bandwidth only
+result  {"R": …, "T": …, "A": …, "r": [re, im], "t": [re, im], "A_layers": […]}; r and t are null
+        for u and where a layer is incoherent or averaged over
 
 Bare glass reflects 4 %:
   echo '{"n": [[1,0],[1.5,0]], "d_nm": [], "angle_deg": 0, "wavelength_nm": 550, "pol": "s"}' |
     nacre eval stack
+Silver between two glasses, and how much of the light it keeps:
+  echo '{"n": [1, 1.52, [0.05, 3.3], 1.52], "d_nm": [1e6, 20], "coherence": ["i", "c"],
+         "angle_deg": 45, "wavelength_nm": 550, "pol": "u", "layers": true}' | nacre eval stack
 A file with an array of records, in the same order out:
   nacre eval stack stacks.json -o results.json)";
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -94,10 +95,41 @@ std::vector<bool> read_coherence(ObjectReader& reader, std::size_t layers)
     return coherent;
 }
 
+/// One number ≥ 0 a layer.
+std::vector<double> read_spread(ObjectReader& reader, const std::vector<bool>& coherent)
+{
+    std::vector<double> none(coherent.size(), 0.0);
+    if (!reader.has("spread_nm")) return none;
+    const auto spread = reader.numbers("spread_nm", kNotNegative);
+    if (!spread) return none;
+    if (spread->size() != coherent.size()) {
+        reader.problem("spread_nm", fmt::format("must have one value for each of the {} layers "
+                                                "(got {})",
+                                                coherent.size(), spread->size()));
+        return none;
+    }
+    for (std::size_t j = 0; j < coherent.size(); ++j)
+        if ((*spread)[j] > 0.0 && !coherent[j])
+            reader.problem(
+                fmt::format("spread_nm[{}]", j),
+                fmt::format("must be 0 in a layer that is incoherent (got {})", (*spread)[j]));
+    return *spread;
+}
+
+bool read_wants_layers(ObjectReader& reader)
+{
+    const json* value = reader.optional("layers");
+    if (!value) return false;
+    if (!value->is_boolean())
+        reader.problem("layers", fmt::format("must be true or false (got {})", quoted(*value)));
+    return value->is_boolean() && value->get<bool>();
+}
+
 struct StackQuestion {
     optics::FilmStack stack;
     double cos_ambient = 1.0, wavelength_nm = 0.0;
     std::string polarisation;
+    bool wants_layers = false;
 };
 
 StackQuestion read_stack(const json& record)
@@ -114,15 +146,28 @@ StackQuestion read_stack(const json& record)
                                            "(got {})",
                                            n.size() - 2, thickness->size()));
     const auto coherent = read_coherence(reader, n.empty() ? 0 : n.size() - 2);
+    const auto spread = read_spread(reader, coherent);
+    const auto bandwidth =
+        reader.has("bandwidth_nm") ? reader.number("bandwidth_nm", kNotNegative) : 0.0;
+    const bool wants_layers = read_wants_layers(reader);
+    const bool averages =
+        bandwidth.value_or(0.0) > 0.0 ||
+        std::any_of(spread.begin(), spread.end(), [](double s) { return s > 0.0; });
+    if (wants_layers && averages)
+        reader.problem("layers",
+                       "must be false where layers have a spread or light a bandwidth: "
+                       "the absorption by layer is not known there");
     reader.refuse_unknown_keys();
     problems.throw_if_any();
 
     StackQuestion question{{n.front(), {}, n.back()},
                            std::cos(*angle * std::numbers::pi / 180.0),
                            *wavelength,
-                           *polarisation};
+                           *polarisation,
+                           wants_layers};
     for (std::size_t i = 0; i < thickness->size(); ++i)
-        question.stack.layers.push_back({n[i + 1], (*thickness)[i], coherent[i]});
+        question.stack.layers.push_back({n[i + 1], (*thickness)[i], coherent[i], spread[i]});
+    question.stack = seen_in_band(std::move(question.stack), *bandwidth, *wavelength);
     return question;
 }
 
@@ -131,24 +176,38 @@ ordered_json pair(const Complex& value)
     return {value.real(), value.imag()};
 }
 
+std::vector<double> absorption_by_layer(const StackQuestion& question)
+{
+    const auto of = [&question](optics::Polarisation polarisation) {
+        return layer_absorption(question.stack, question.cos_ambient, question.wavelength_nm,
+                                polarisation);
+    };
+    if (question.polarisation == "s") return of(optics::Polarisation::s);
+    std::vector<double> result = of(optics::Polarisation::p);
+    if (question.polarisation == "u")
+        std::ranges::transform(result, of(optics::Polarisation::s), result.begin(),
+                               [](double p, double s) { return 0.5 * (p + s); });
+    return result;
+}
+
 }  // namespace
 
 ordered_json evaluate_stack(const json& record)
 {
-    const auto [stack, cos_ambient, wavelength_nm, polarisation] = read_stack(record);
-    const bool coherent = std::all_of(stack.layers.begin(), stack.layers.end(),
-                                      [](const optics::Layer& layer) { return layer.coherent; });
+    const StackQuestion question = read_stack(record);
+    const auto& [stack, cos_ambient, wavelength_nm, polarisation, wants_layers] = question;
     const auto which = polarisation == "p" ? optics::Polarisation::p : optics::Polarisation::s;
     const optics::PowerRatios power =
         polarisation == "u" ? optics::stack_power_unpolarised(stack, cos_ambient, wavelength_nm)
                             : optics::stack_power(stack, cos_ambient, wavelength_nm, which);
     ordered_json result = {
         {"R", power.R}, {"T", power.T}, {"A", power.A}, {"r", nullptr}, {"t", nullptr}};
-    if (coherent && polarisation != "u") {
+    if (has_amplitudes(stack) && polarisation != "u") {
         const auto [r, t] = optics::stack_amplitudes(stack, cos_ambient, wavelength_nm, which);
         result["r"] = pair(r);
         result["t"] = pair(t);
     }
+    if (wants_layers) result["A_layers"] = absorption_by_layer(question);
     return result;
 }
 

@@ -48,21 +48,31 @@ NACRE_API int nacre_api_version(void);
 NACRE_API const char* nacre_version(void);
 NACRE_API const char* nacre_last_error(void);
 
+/** How light interferes in each layer; NULL in place of one of these: fully, in all layers. */
+typedef struct nacre_coherence {
+    const unsigned char* coherent; /**< layers: 0 where intensities are added; NULL: 1 everywhere */
+    const double* spread_nm; /**< layers: standard deviation of the thickness within what is looked
+                                  at; NULL: 0 everywhere */
+    double bandwidth_nm;     /**< Gaussian, full width at half maximum */
+} nacre_coherence;
+
 /**
- * Power ratios and amplitudes of `count` stacks of `layers` layers each.
+ * Power ratios, amplitudes and absorption of `count` stacks of `layers` layers each.
  *
  * @param n              count x (layers + 2) pairs, ambient to substrate
  * @param d_nm           count x layers
  * @param angle_deg      count, in [0, 90), in the ambient
  * @param wavelength_nm  count, in vacuum
- * @param coherent       layers, 0 or 1 each; NULL: all coherent
  * @param power          count x 3: R, T, A
- * @param amplitudes     count x 2 pairs: r, t; NULL where not wanted. Only s or p, all coherent.
+ * @param amplitudes     count x 2 pairs: r, t; NULL where not wanted. Only s or p, fully coherent.
+ * @param absorption     count x layers: what each layer absorbs; NULL where not wanted. Only
+ *                       without spread and bandwidth.
  */
 NACRE_API nacre_status nacre_stack(size_t count, size_t layers, const double* n, const double* d_nm,
                                    const double* angle_deg, const double* wavelength_nm,
-                                   const unsigned char* coherent, nacre_polarisation polarisation,
-                                   double* power, double* amplitudes);
+                                   const nacre_coherence* coherence,
+                                   nacre_polarisation polarisation, double* power,
+                                   double* amplitudes, double* absorption);
 
 /** One argument of nacre_stack_grid(). */
 typedef struct nacre_grid_array {
@@ -83,9 +93,9 @@ typedef struct nacre_grid_array {
 NACRE_API nacre_status nacre_stack_grid(size_t axes, const size_t* shape, size_t layers,
                                         nacre_grid_array n, nacre_grid_array d_nm,
                                         nacre_grid_array angle_deg, nacre_grid_array wavelength_nm,
-                                        const unsigned char* coherent,
+                                        const nacre_coherence* coherence,
                                         nacre_polarisation polarisation, double* power,
-                                        double* amplitudes);
+                                        double* amplitudes, double* absorption);
 
 typedef struct nacre_colour {
     double XYZ[3], Lab[3], rgb[3];

@@ -59,6 +59,10 @@ class TableInfo(Structure):
     ]
 
 
+class Coherence(Structure):
+    _fields_ = [("coherent", c_void_p), ("spread_nm", c_void_p), ("bandwidth_nm", c_double)]
+
+
 class Film(Structure):
     _fields_ = [
         ("layers", c_size_t),
@@ -93,10 +97,16 @@ _SIGNATURES = {
     "nacre_api_version": (c_int, []),
     "nacre_version": (c_char_p, []),
     "nacre_last_error": (c_char_p, []),
-    "nacre_stack": (c_int, [c_size_t, c_size_t, *[c_void_p] * 5, c_int, c_void_p, c_void_p]),
+    "nacre_stack": (
+        c_int,
+        [c_size_t, c_size_t, *[c_void_p] * 4, POINTER(Coherence), c_int, *[c_void_p] * 3],
+    ),
     "nacre_stack_grid": (
         c_int,
-        [c_size_t, POINTER(c_size_t), c_size_t, *[GridArray] * 4, c_void_p, c_int, *[c_void_p] * 2],
+        [
+            *[c_size_t, POINTER(c_size_t), c_size_t, *[GridArray] * 4],
+            *[POINTER(Coherence), c_int, *[c_void_p] * 3],
+        ],
     ),
     "nacre_spectrum_to_colour": (
         c_int,

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include <fmt/format.h>
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
@@ -12,166 +11,14 @@
 #include "guard.h"
 #include "nacre/optics/multilayer.h"
 #include "nacre/optics/stack_batch.h"
-#include "stack_grid.h"
+#include "stack_call.h"
 
 namespace nacre::capi {
 namespace {
 
-using optics::Complex;
 using optics::kLanes;
 using optics::Lanes;
 using optics::Polarisation;
-
-/// Where the data of one item are.
-struct Item {
-    const double *n, *d_nm;
-    double angle_deg, wavelength_nm, cosine;
-
-    [[nodiscard]] Complex index(std::size_t medium) const
-    {
-        return {n[2 * medium], n[2 * medium + 1]};
-    }
-};
-
-/// The arrays of a call.
-struct Stacks {
-    std::span<const std::size_t> shape;
-    std::size_t layers;
-    nacre_grid_array n, d_nm, angle_deg, wavelength_nm;
-    const unsigned char* coherent;
-    nacre_polarisation polarisation;
-    double *power, *amplitudes;
-
-    std::size_t count = count_items(shape);
-    std::vector<double> cosines{};  ///< of every angle, once
-    std::vector<std::size_t> cosine_steps{};
-
-    [[nodiscard]] Steps steps(const nacre_grid_array& array) const
-    {
-        return {array.steps, shape.size()};
-    }
-    [[nodiscard]] bool shared(const nacre_grid_array& array) const
-    {
-        const Steps all = steps(array);
-        return std::all_of(all.begin(), all.end(), [](std::size_t step) { return step == 0; });
-    }
-    [[nodiscard]] bool all_coherent() const
-    {
-        return coherent == nullptr || std::all_of(coherent, coherent + layers,
-                                                  [](unsigned char flag) { return flag != 0; });
-    }
-};
-
-/// Walks over the items.
-class ItemCursor {
-public:
-    ItemCursor(const Stacks& in, std::size_t item)
-        : in_(&in),
-          cursor_(in.shape,
-                  {in.steps(in.n), in.steps(in.d_nm), in.steps(in.angle_deg),
-                   in.steps(in.wavelength_nm), in.cosine_steps},
-                  item)
-    {}
-    [[nodiscard]] Item operator*() const
-    {
-        const std::size_t cosine = cursor_.offset(4);
-        return {.n = in_->n.values + 2 * (in_->layers + 2) * cursor_.offset(0),
-                .d_nm = in_->d_nm.values + in_->layers * cursor_.offset(1),
-                .angle_deg = in_->angle_deg.values[cursor_.offset(2)],
-                .wavelength_nm = in_->wavelength_nm.values[cursor_.offset(3)],
-                .cosine = cosine < in_->cosines.size() ? in_->cosines[cosine] : 1.0};
-    }
-    void advance() { cursor_.advance(); }
-
-private:
-    const Stacks* in_;
-    GridCursor<5> cursor_;
-};
-
-optics::FilmStack film_stack(const Stacks& in, const Item& item)
-{
-    optics::FilmStack stack{.ambient = item.index(0), .layers = {}, .substrate = {}};
-    for (std::size_t j = 0; j < in.layers; ++j)
-        stack.layers.push_back({.n = item.index(j + 1),
-                                .thickness_nm = item.d_nm[j],
-                                .coherent = in.coherent == nullptr || in.coherent[j] != 0});
-    stack.substrate = item.index(in.layers + 1);
-    return stack;
-}
-
-bool good_angle(double degrees)
-{
-    return degrees >= 0.0 && degrees < 90.0;
-}
-bool good_wavelength(double nm)
-{
-    return std::isfinite(nm) && nm > 0.0;
-}
-
-void check_item(const Stacks& in, const Item& item, std::size_t number)
-{
-    const auto refuse = [number](const std::string& field, const std::string& message) {
-        fail(field, fmt::format("{} (item {})", message, number));
-    };
-    if (!good_angle(item.angle_deg))
-        refuse("angle_deg", fmt::format("must be in [0, 90) (got {})", item.angle_deg));
-    if (!good_wavelength(item.wavelength_nm))
-        refuse("wavelength_nm", fmt::format("must be finite and > 0 (got {})", item.wavelength_nm));
-    const auto problem = validate(film_stack(in, item));
-    if (!problem) return;
-    const auto index = static_cast<std::size_t>(problem->index);
-    const bool of_index = problem->field[0] == 'n';
-    const Complex n = of_index ? item.index(index) : Complex{};
-    const std::string got =
-        of_index ? fmt::format("{}{:+}i", n.real(), n.imag()) : fmt::format("{}", item.d_nm[index]);
-    refuse(fmt::format("{}[{}]", problem->field, index),
-           fmt::format("{} (got {})", problem->message, got));
-}
-
-/// Whether every element is good, each looked at once however many items share it.
-bool all_good(const Stacks& in)
-{
-    const std::vector<double> no_thickness(in.layers, 0.0);
-    const auto good_media = [&](std::size_t element) {
-        Item item{};
-        item.n = in.n.values + 2 * (in.layers + 2) * element;
-        item.d_nm = no_thickness.data();
-        return !validate(film_stack(in, item));
-    };
-    const auto good_thicknesses = [&](std::size_t element) {
-        const double* d_nm = in.d_nm.values + in.layers * element;
-        return std::all_of(d_nm, d_nm + in.layers,
-                           [](double d) { return std::isfinite(d) && d >= 0.0; });
-    };
-    const auto every = [&in](const nacre_grid_array& array, auto&& good) {
-        return every_element(in.shape, in.steps(array), good);
-    };
-    return every(in.angle_deg, [&](std::size_t i) { return good_angle(in.angle_deg.values[i]); }) &&
-           every(in.wavelength_nm,
-                 [&](std::size_t i) { return good_wavelength(in.wavelength_nm.values[i]); }) &&
-           every(in.n, good_media) && every(in.d_nm, good_thicknesses);
-}
-
-void check(const Stacks& in)
-{
-    if (in.layers > optics::kMaxLayers)
-        fail("d_nm",
-             fmt::format("must have at most {} layers (got {})", optics::kMaxLayers, in.layers));
-    if (in.count == 0) return;
-    require(in.n.values, "n");
-    if (in.layers > 0) require(in.d_nm.values, "d_nm");
-    require(in.angle_deg.values, "angle_deg");
-    require(in.wavelength_nm.values, "wavelength_nm");
-    require(in.power, "power");
-    if (in.polarisation < NACRE_S || in.polarisation > NACRE_UNPOLARISED)
-        fail("polarisation", "must be s, p or u");
-    if (in.amplitudes != nullptr && (in.polarisation == NACRE_UNPOLARISED || !in.all_coherent()))
-        fail("amplitudes", "exist for s or p and coherent layers only");
-    if (all_good(in)) return;
-    ItemCursor cursor(in, 0);
-    for (std::size_t item = 0; item < in.count; ++item, cursor.advance())
-        check_item(in, *cursor, item);
-}
 
 /// Cosines in extended precision before they are rounded: near 90° nothing is lost.
 void work_out_cosines(Stacks& in)
@@ -203,7 +50,9 @@ void store_amplitudes(const Stacks& in, std::size_t item, Complex r, Complex t)
 
 void solve_one(const Stacks& in, const Item& item, std::size_t number)
 {
-    const optics::FilmStack stack = film_stack(in, item);
+    optics::FilmStack stack = film_stack(in, item);
+    if (in.coherence.bandwidth_nm > 0.0)
+        stack = seen_in_band(std::move(stack), in.coherence.bandwidth_nm, item.wavelength_nm);
     if (in.polarisation == NACRE_UNPOLARISED) {
         store_power(in, number, stack_power_unpolarised(stack, item.cosine, item.wavelength_nm));
         return;
@@ -213,6 +62,21 @@ void solve_one(const Stacks& in, const Item& item, std::size_t number)
     if (in.amplitudes == nullptr) return;
     const auto [r, t] = stack_amplitudes(stack, item.cosine, item.wavelength_nm, polarisation);
     store_amplitudes(in, number, r, t);
+}
+
+void solve_absorption(const Stacks& in, const Item& item, std::size_t number)
+{
+    const optics::FilmStack stack = film_stack(in, item);
+    double* out = in.absorption + in.layers * number;
+    const auto of = [&](Polarisation polarisation) {
+        return layer_absorption(stack, item.cosine, item.wavelength_nm, polarisation);
+    };
+    if (in.polarisation != NACRE_UNPOLARISED) {
+        std::ranges::copy(of(in.polarisation == NACRE_S ? Polarisation::s : Polarisation::p), out);
+        return;
+    }
+    std::ranges::transform(of(Polarisation::s), of(Polarisation::p), out,
+                           [](double s, double p) { return 0.5 * (s + p); });
 }
 
 void set(optics::ComplexLanes& lanes, std::size_t i, Complex value)
@@ -365,20 +229,22 @@ private:
     optics::BatchAmplitudes amplitudes_;
 };
 
-void solve_one_by_one(const Stacks& in)
+template <class Solve>
+void one_by_one(const Stacks& in, Solve&& solve_item)
 {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, in.count, 16), [&in](const auto& range) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, in.count, 16), [&](const auto& range) {
         ItemCursor cursor(in, range.begin());
         for (std::size_t item = range.begin(); item < range.end(); ++item, cursor.advance())
-            solve_one(in, *cursor, item);
+            solve_item(in, *cursor, item);
     });
 }
 
 /// Each item has a place of its own in the results, so that threads do not meet.
 void solve(const Stacks& in)
 {
-    if (!in.all_coherent()) {
-        solve_one_by_one(in);
+    if (in.absorption != nullptr) one_by_one(in, solve_absorption);
+    if (!in.fully_coherent()) {
+        one_by_one(in, solve_one);
         return;
     }
     constexpr std::size_t kAngles = 32;  ///< well above what preparing the stacks costs
@@ -414,28 +280,31 @@ extern "C" {
 
 nacre_status nacre_stack(size_t count, size_t layers, const double* n, const double* d_nm,
                          const double* angle_deg, const double* wavelength_nm,
-                         const unsigned char* coherent, nacre_polarisation polarisation,
-                         double* power, double* amplitudes)
+                         const nacre_coherence* coherence, nacre_polarisation polarisation,
+                         double* power, double* amplitudes, double* absorption)
 {
     return nacre::capi::guarded([&] {
         const size_t step = 1;
-        nacre::capi::check_and_solve({.shape = {&count, 1},
-                                      .layers = layers,
-                                      .n = {n, &step},
-                                      .d_nm = {d_nm, &step},
-                                      .angle_deg = {angle_deg, &step},
-                                      .wavelength_nm = {wavelength_nm, &step},
-                                      .coherent = coherent,
-                                      .polarisation = polarisation,
-                                      .power = power,
-                                      .amplitudes = amplitudes});
+        nacre::capi::check_and_solve(
+            {.shape = {&count, 1},
+             .layers = layers,
+             .n = {n, &step},
+             .d_nm = {d_nm, &step},
+             .angle_deg = {angle_deg, &step},
+             .wavelength_nm = {wavelength_nm, &step},
+             .coherence = coherence == nullptr ? nacre_coherence{} : *coherence,
+             .polarisation = polarisation,
+             .power = power,
+             .amplitudes = amplitudes,
+             .absorption = absorption});
     });
 }
 
 nacre_status nacre_stack_grid(size_t axes, const size_t* shape, size_t layers, nacre_grid_array n,
                               nacre_grid_array d_nm, nacre_grid_array angle_deg,
-                              nacre_grid_array wavelength_nm, const unsigned char* coherent,
-                              nacre_polarisation polarisation, double* power, double* amplitudes)
+                              nacre_grid_array wavelength_nm, const nacre_coherence* coherence,
+                              nacre_polarisation polarisation, double* power, double* amplitudes,
+                              double* absorption)
 {
     return nacre::capi::guarded([&] {
         if (axes > 0) {
@@ -446,16 +315,18 @@ nacre_status nacre_stack_grid(size_t axes, const size_t* shape, size_t layers, n
                                                {&wavelength_nm, "wavelength_nm"}})
                 nacre::capi::require(array->steps, field);
         }
-        nacre::capi::check_and_solve({.shape = {shape, axes},
-                                      .layers = layers,
-                                      .n = n,
-                                      .d_nm = d_nm,
-                                      .angle_deg = angle_deg,
-                                      .wavelength_nm = wavelength_nm,
-                                      .coherent = coherent,
-                                      .polarisation = polarisation,
-                                      .power = power,
-                                      .amplitudes = amplitudes});
+        nacre::capi::check_and_solve(
+            {.shape = {shape, axes},
+             .layers = layers,
+             .n = n,
+             .d_nm = d_nm,
+             .angle_deg = angle_deg,
+             .wavelength_nm = wavelength_nm,
+             .coherence = coherence == nullptr ? nacre_coherence{} : *coherence,
+             .polarisation = polarisation,
+             .power = power,
+             .amplitudes = amplitudes,
+             .absorption = absorption});
     });
 }
 }

@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <span>
+#include <vector>
 
 #include "nacre/optics/multilayer.h"
 
@@ -45,5 +46,11 @@ struct PacketResponse {
 [[nodiscard]] PacketResponse respond(const Incidence& incidence, Complex above,
                                      std::span<const Layer> layers, Complex below,
                                      Polarisation polarisation);
+
+/// Real part of the power flux, over that of the incident wave, at the top of each layer and in the
+/// substrate: layers + 1 values. Between neighbours lies what a layer absorbs.
+[[nodiscard]] std::vector<Real> power_flux(const Incidence& incidence, Complex above,
+                                           std::span<const Layer> layers, Complex below,
+                                           Polarisation polarisation);
 
 }  // namespace nacre::optics::detail

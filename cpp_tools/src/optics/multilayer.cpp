@@ -9,75 +9,22 @@
 #include <span>
 
 #include "coherent_packet.h"
+#include "incoherent_series.h"
+#include "partial_coherence.h"
 
 namespace nacre::optics {
 namespace {
 
 using detail::Incidence;
+using detail::MeanPower;
 using detail::PacketResponse;
 using detail::Real;
-
-/// Power coefficients of a coherent packet for light from above and from below.
-struct TwoWay {
-    Real R, T, R_back, T_back;
-};
-
-TwoWay respond_both_ways(const Incidence& incidence, Complex above, std::span<const Layer> layers,
-                         Complex below, Polarisation polarisation)
-{
-    const std::vector<Layer> reversed(layers.rbegin(), layers.rend());
-    const PacketResponse down = respond(incidence, above, layers, below, polarisation);
-    const PacketResponse up = respond(incidence, below, reversed, above, polarisation);
-    return {.R = down.R, .T = down.T, .R_back = up.R, .T_back = up.T};
-}
-
-/// What one passage through a layer leaves of an intensity.
-Real single_pass(const Incidence& incidence, const Layer& layer)
-{
-    const Real rate = 4 * std::numbers::pi_v<Real> / static_cast<Real>(incidence.wavelength_nm) *
-                      normal_index(incidence, layer.n).imag();
-    return std::exp(-rate * static_cast<Real>(layer.thickness_nm));
-}
 
 PowerRatios power_ratios(Real R, Real T)
 {
     return {.R = static_cast<double>(R),
             .T = static_cast<double>(T),
             .A = static_cast<double>(1 - R - T)};
-}
-
-/// Packets of coherent layers separated by incoherent ones, from the substrate up: intensities that
-/// bounce inside an incoherent layer form a geometric series (Byrnes 2016, section 6),
-///     R ← R_f + T_f T_b P² R / (1 − R_b P² R),   T ← T_f P T / (1 − R_b P² R).
-PowerRatios mixed_power(const FilmStack& stack, const Incidence& incidence,
-                        Polarisation polarisation)
-{
-    const std::span<const Layer> layers = stack.layers;
-    const auto incoherent = [](const Layer& layer) { return !layer.coherent; };
-
-    Real R = 0, T = 1, pass = 0;
-    Complex below = stack.substrate;
-    for (std::size_t end = layers.size();;) {
-        const auto above = std::find_if(layers.rend() - static_cast<std::ptrdiff_t>(end),
-                                        layers.rend(), incoherent);
-        const auto begin = static_cast<std::size_t>(layers.rend() - above);
-        const Complex n_above = begin == 0 ? stack.ambient : layers[begin - 1].n;
-        const auto packet = respond_both_ways(
-            incidence, n_above, layers.subspan(begin, end - begin), below, polarisation);
-        // Nothing gets in: the quotients of a totally reflecting face would be 0/0.
-        if (packet.T == 0) {
-            R = packet.R;
-            T = 0;
-        } else {
-            const Real returned = pass * pass * R, series = 1 - packet.R_back * returned;
-            R = packet.R + packet.T * packet.T_back * returned / series;
-            T = packet.T * (end == layers.size() ? Real{1} : pass) * T / series;
-        }
-        if (begin == 0) return power_ratios(R, T);
-        pass = single_pass(incidence, layers[begin - 1]);
-        below = n_above;
-        end = begin - 1;
-    }
 }
 
 bool finite(Complex n)
@@ -117,11 +64,13 @@ PowerRatios stack_power(const FilmStack& stack, double cos_ambient, double wavel
     assert(!validate(stack));
     const Incidence incidence{stack.ambient, cos_ambient, wavelength_nm};
     const auto coherent = [](const Layer& layer) { return layer.coherent; };
-    if (!std::all_of(stack.layers.begin(), stack.layers.end(), coherent))
-        return mixed_power(stack, incidence, polarisation);
-    const PacketResponse response =
-        respond(incidence, stack.ambient, stack.layers, stack.substrate, polarisation);
-    return power_ratios(response.R, response.T);
+    if (!std::all_of(stack.layers.begin(), stack.layers.end(), coherent)) {
+        const detail::Packet whole = detail::packets(stack, incidence, polarisation).front();
+        return power_ratios(whole.R_whole, whole.T_whole);
+    }
+    const MeanPower power =
+        mean_response(incidence, stack.ambient, stack.layers, stack.substrate, polarisation);
+    return power_ratios(power.R, power.T);
 }
 
 PowerRatios stack_power_unpolarised(const FilmStack& stack, double cos_ambient,
@@ -130,6 +79,25 @@ PowerRatios stack_power_unpolarised(const FilmStack& stack, double cos_ambient,
     const PowerRatios s = stack_power(stack, cos_ambient, wavelength_nm, Polarisation::s);
     const PowerRatios p = stack_power(stack, cos_ambient, wavelength_nm, Polarisation::p);
     return {.R = 0.5 * (s.R + p.R), .T = 0.5 * (s.T + p.T), .A = 0.5 * (s.A + p.A)};
+}
+
+FilmStack seen_in_band(FilmStack stack, double bandwidth_nm, double wavelength_nm)
+{
+    assert(bandwidth_nm >= 0.0);
+    // From the full width at half maximum of a Gaussian to its standard deviation.
+    const double to_deviation = 1.0 / (2.0 * std::sqrt(2.0 * std::numbers::ln2));
+    // A phase ∝ d/λ cannot tell a spread of 1/λ from one of d.
+    const double relative = bandwidth_nm * to_deviation / wavelength_nm;
+    for (Layer& layer : stack.layers)
+        if (layer.coherent)
+            layer.spread_nm = std::hypot(layer.spread_nm, relative * layer.thickness_nm);
+    return stack;
+}
+
+bool has_amplitudes(const FilmStack& stack) noexcept
+{
+    return std::all_of(stack.layers.begin(), stack.layers.end(),
+                       [](const Layer& layer) { return layer.coherent && layer.spread_nm == 0.0; });
 }
 
 std::optional<StackProblem> validate(const FilmStack& stack) noexcept
@@ -144,6 +112,10 @@ std::optional<StackProblem> validate(const FilmStack& stack) noexcept
             return StackProblem{"n", j + 1, message};
         if (!std::isfinite(layer.thickness_nm) || layer.thickness_nm < 0.0)
             return StackProblem{"d_nm", j, "must be finite and ≥ 0"};
+        if (!std::isfinite(layer.spread_nm) || layer.spread_nm < 0.0)
+            return StackProblem{"spread_nm", j, "must be finite and ≥ 0"};
+        if (layer.spread_nm > 0.0 && !layer.coherent)
+            return StackProblem{"spread_nm", j, "must be 0 in a layer that is incoherent"};
     }
     if (const char* message = index_problem(stack.substrate, false))
         return StackProblem{"n", count + 1, message};

@@ -32,12 +32,13 @@ struct Call {
     nacre_status operator()()
     {
         return nacre_stack(count, layers, n.data(), d_nm.data(), angle.data(), wavelength.data(),
-                           coherent, polarisation, power.data(),
-                           wants_amplitudes ? amplitudes.data() : nullptr);
+                           coherence, polarisation, power.data(),
+                           wants_amplitudes ? amplitudes.data() : nullptr,
+                           absorption.empty() ? nullptr : absorption.data());
     }
     std::size_t count, layers = 1;
-    std::vector<double> n, d_nm, angle, wavelength, power, amplitudes;
-    const unsigned char* coherent = nullptr;
+    std::vector<double> n, d_nm, angle, wavelength, power, amplitudes, absorption;
+    const nacre_coherence* coherence = nullptr;
     nacre_polarisation polarisation = NACRE_S;
     bool wants_amplitudes = true;
 };
@@ -46,9 +47,9 @@ TEST(CapiStack, BareGlassByHand)
 {
     const double n[] = {1.0, 0.0, 1.5, 0.0}, angle = 0.0, wavelength = 550.0;
     double power[3], amplitudes[4];
-    ASSERT_EQ(
-        nacre_stack(1, 0, n, nullptr, &angle, &wavelength, nullptr, NACRE_P, power, amplitudes),
-        NACRE_OK);
+    ASSERT_EQ(nacre_stack(1, 0, n, nullptr, &angle, &wavelength, nullptr, NACRE_P, power,
+                          amplitudes, nullptr),
+              NACRE_OK);
     EXPECT_NEAR(power[0], 0.04, 1e-15);
     EXPECT_NEAR(power[1], 0.96, 1e-15);
     EXPECT_NEAR(power[2], 0.0, 1e-15);
@@ -74,18 +75,83 @@ TEST(CapiStack, UnpolarisedIsTheMean)
 TEST(CapiStack, FlagsMakeLayersIncoherent)
 {
     const double n[] = {1.0, 0.0, 1.5, 0.0, 1.0, 0.0}, d_nm = 1e6, angle = 0.0, nm = 550.0;
-    const unsigned char coherent = 1, incoherent = 0;
+    const unsigned char yes = 1, no = 0;
+    const nacre_coherence coherent{&yes, nullptr, 0.0}, incoherent{&no, nullptr, 0.0};
     double window[3], film[3], none[3];
-    ASSERT_EQ(
-        nacre_stack(1, 1, n, &d_nm, &angle, &nm, &incoherent, NACRE_UNPOLARISED, window, nullptr),
-        NACRE_OK);
-    ASSERT_EQ(nacre_stack(1, 1, n, &d_nm, &angle, &nm, &coherent, NACRE_UNPOLARISED, film, nullptr),
+    ASSERT_EQ(nacre_stack(1, 1, n, &d_nm, &angle, &nm, &incoherent, NACRE_UNPOLARISED, window,
+                          nullptr, nullptr),
               NACRE_OK);
-    ASSERT_EQ(nacre_stack(1, 1, n, &d_nm, &angle, &nm, nullptr, NACRE_UNPOLARISED, none, nullptr),
+    ASSERT_EQ(nacre_stack(1, 1, n, &d_nm, &angle, &nm, &coherent, NACRE_UNPOLARISED, film, nullptr,
+                          nullptr),
+              NACRE_OK);
+    ASSERT_EQ(nacre_stack(1, 1, n, &d_nm, &angle, &nm, nullptr, NACRE_UNPOLARISED, none, nullptr,
+                          nullptr),
               NACRE_OK);
     EXPECT_NEAR(window[0], 0.08 / 1.04, 1e-15);
     EXPECT_EQ(film[0], none[0]);
     EXPECT_NE(film[0], window[0]);
+}
+
+// A great spread is incoherent, a band of wavelengths is a spread that grows with the thickness.
+TEST(CapiStack, SpreadAndBandwidth)
+{
+    const double great = 5000.0, sigma = 2.0 / (2.0 * std::sqrt(2.0 * std::log(2.0)));
+    const double equal = 240.0 * sigma / 550.0;
+    const unsigned char flag = 0;
+    const nacre_coherence incoherent{&flag, nullptr, 0.0}, spread{nullptr, &great, 0.0};
+    const nacre_coherence band{nullptr, nullptr, 2.0}, spread_like_band{nullptr, &equal, 0.0};
+    const auto R = [](const nacre_coherence* coherence, double k) {
+        Call call;
+        call.n[3] = k;
+        call.coherence = coherence;
+        call.wants_amplitudes = false;
+        EXPECT_EQ(call(), NACRE_OK) << nacre_last_error();
+        return call.power[0];
+    };
+    EXPECT_NEAR(R(&spread, 0.0), R(&incoherent, 0.0), 1e-15);
+    EXPECT_NEAR(R(&band, 0.02), R(&spread_like_band, 0.02), 1e-15);
+    EXPECT_GT(std::abs(R(&band, 0.02) - R(nullptr, 0.02)), 1e-6);
+}
+
+TEST(CapiStack, AbsorptionByLayer)
+{
+    Call call(40);
+    call.absorption.assign(40, -7.0);
+    ASSERT_EQ(call(), NACRE_OK);
+    for (std::size_t i = 0; i < 40; ++i)
+        EXPECT_NEAR(call.absorption[i], call.power[3 * i + 2], 1e-13);
+
+    Call u = call;
+    u.polarisation = NACRE_UNPOLARISED;
+    u.wants_amplitudes = false;
+    ASSERT_EQ(u(), NACRE_OK);
+    EXPECT_NEAR(u.absorption[0], u.power[2], 1e-13);
+    EXPECT_NE(u.absorption[0], call.absorption[0]);
+
+    const double spread = 5.0;
+    const nacre_coherence coherence{nullptr, &spread, 0.0};
+    u.coherence = &coherence;
+    EXPECT_EQ(u(), NACRE_INPUT);
+    EXPECT_STREQ(
+        nacre_last_error(),
+        "absorption: by layer is not known where layers have a spread or light a bandwidth");
+}
+
+TEST(CapiStack, CoherenceIsChecked)
+{
+    const unsigned char flag = 0;
+    const double spread = 5.0, negative = -1.0;
+    Call call;
+    call.wants_amplitudes = false;
+    const auto message = [&call](const nacre_coherence& coherence) -> std::string {
+        call.coherence = &coherence;
+        EXPECT_EQ(call(), NACRE_INPUT);
+        return nacre_last_error();
+    };
+    EXPECT_EQ(message({nullptr, nullptr, kNan}), "bandwidth_nm: must be finite and ≥ 0 (got nan)");
+    EXPECT_EQ(message({nullptr, &negative, 0.0}), "spread_nm[0]: must be finite and ≥ 0 (got -1)");
+    EXPECT_EQ(message({&flag, &spread, 0.0}),
+              "spread_nm[0]: must be 0 in a layer that is incoherent (got 5)");
 }
 
 // Neighbours, batch sizes and places in a batch leave no trace, also where an item is computed in
@@ -104,10 +170,10 @@ TEST(CapiStack, AnItemDoesNotDependOnItsBatch)
     for (const std::size_t count : {1, 2, 31, 32, 33, 63, 64, 65, 127, 199}) {
         const std::size_t first = kMost - count;
         std::vector<double> power(3 * count), amplitudes(4 * count);
-        ASSERT_EQ(
-            nacre_stack(count, 1, &all.n[6 * first], &all.d_nm[first], &all.angle[first],
-                        &all.wavelength[first], nullptr, NACRE_S, power.data(), amplitudes.data()),
-            NACRE_OK);
+        ASSERT_EQ(nacre_stack(count, 1, &all.n[6 * first], &all.d_nm[first], &all.angle[first],
+                              &all.wavelength[first], nullptr, NACRE_S, power.data(),
+                              amplitudes.data(), nullptr),
+                  NACRE_OK);
         EXPECT_EQ(std::memcmp(power.data(), &all.power[3 * first], 24 * count), 0) << count;
         EXPECT_EQ(std::memcmp(amplitudes.data(), &all.amplitudes[4 * first], 32 * count), 0);
     }
@@ -135,7 +201,7 @@ struct Grid {
         return nacre_stack_grid(shape.size(), lengths, 1, {n.data(), steps_of_n},
                                 {d_nm.data(), d_steps}, {angle.data(), angle_steps},
                                 {wavelength.data(), n_steps}, nullptr, NACRE_P, power.data(),
-                                amplitudes.data());
+                                amplitudes.data(), nullptr);
     }
     nacre_status operator()() { return (*this)(shape.data(), n_steps); }
 };
@@ -148,7 +214,7 @@ TEST(CapiStackGrid, GivesTheBitsOfEachItemByItself)
         const std::size_t d = item / 1000, a = item / 25 % 40, w = item % 25;
         double power[3], amplitudes[4];
         ASSERT_EQ(nacre_stack(1, 1, &grid.n[6 * w], &grid.d_nm[d], &grid.angle[a],
-                              &grid.wavelength[w], nullptr, NACRE_P, power, amplitudes),
+                              &grid.wavelength[w], nullptr, NACRE_P, power, amplitudes, nullptr),
                   NACRE_OK);
         ASSERT_EQ(std::memcmp(power, &grid.power[3 * item], sizeof power), 0) << item;
         ASSERT_EQ(std::memcmp(amplitudes, &grid.amplitudes[4 * item], sizeof amplitudes), 0)
@@ -163,9 +229,9 @@ TEST(CapiStackGrid, WithoutAxesIsOneItem)
     const nacre_grid_array n{grid.n.data(), nullptr}, d{grid.d_nm.data(), nullptr};
     const nacre_grid_array angle{grid.angle.data(), nullptr};
     const nacre_grid_array wavelength{grid.wavelength.data(), nullptr};
-    ASSERT_EQ(
-        nacre_stack_grid(0, nullptr, 1, n, d, angle, wavelength, nullptr, NACRE_P, alone, nullptr),
-        NACRE_OK);
+    ASSERT_EQ(nacre_stack_grid(0, nullptr, 1, n, d, angle, wavelength, nullptr, NACRE_P, alone,
+                               nullptr, nullptr),
+              NACRE_OK);
     ASSERT_EQ(grid(), NACRE_OK);
     EXPECT_EQ(std::memcmp(alone, grid.power.data(), sizeof alone), 0);
 }
@@ -212,9 +278,9 @@ TEST(CapiStackGrid, RefusesNull)
 
 TEST(CapiStack, NoItemsAreNoError)
 {
-    EXPECT_EQ(
-        nacre_stack(0, 3, nullptr, nullptr, nullptr, nullptr, nullptr, NACRE_S, nullptr, nullptr),
-        NACRE_OK);
+    EXPECT_EQ(nacre_stack(0, 3, nullptr, nullptr, nullptr, nullptr, nullptr, NACRE_S, nullptr,
+                          nullptr, nullptr),
+              NACRE_OK);
 }
 
 void expect_refused(Call& call, const std::string& message)
@@ -265,8 +331,9 @@ TEST(CapiStack, RefusesAmplitudesThatDoNotExist)
     unpolarised.polarisation = NACRE_UNPOLARISED;
     expect_refused(unpolarised, "amplitudes: exist for s or p and coherent layers only");
     Call mixed;
-    const unsigned char incoherent = 0;
-    mixed.coherent = &incoherent;
+    const unsigned char flag = 0;
+    const nacre_coherence incoherent{&flag, nullptr, 0.0};
+    mixed.coherence = &incoherent;
     expect_refused(mixed, "amplitudes: exist for s or p and coherent layers only");
 }
 
@@ -299,15 +366,15 @@ TEST(CapiStack, RefusesNull)
         return std::string(nacre_last_error());
     };
     const auto s = NACRE_S;
-    EXPECT_EQ(error(nacre_stack(1, 1, nullptr, d, a, w, nullptr, s, power, nullptr)),
+    EXPECT_EQ(error(nacre_stack(1, 1, nullptr, d, a, w, nullptr, s, power, nullptr, nullptr)),
               "n: must not be null");
-    EXPECT_EQ(error(nacre_stack(1, 1, n, nullptr, a, w, nullptr, s, power, nullptr)),
+    EXPECT_EQ(error(nacre_stack(1, 1, n, nullptr, a, w, nullptr, s, power, nullptr, nullptr)),
               "d_nm: must not be null");
-    EXPECT_EQ(error(nacre_stack(1, 1, n, d, nullptr, w, nullptr, s, power, nullptr)),
+    EXPECT_EQ(error(nacre_stack(1, 1, n, d, nullptr, w, nullptr, s, power, nullptr, nullptr)),
               "angle_deg: must not be null");
-    EXPECT_EQ(error(nacre_stack(1, 1, n, d, a, nullptr, nullptr, s, power, nullptr)),
+    EXPECT_EQ(error(nacre_stack(1, 1, n, d, a, nullptr, nullptr, s, power, nullptr, nullptr)),
               "wavelength_nm: must not be null");
-    EXPECT_EQ(error(nacre_stack(1, 1, n, d, a, w, nullptr, s, nullptr, nullptr)),
+    EXPECT_EQ(error(nacre_stack(1, 1, n, d, a, w, nullptr, s, nullptr, nullptr, nullptr)),
               "power: must not be null");
 }
 

@@ -15,6 +15,9 @@ struct Layer {
     Complex n;
     double thickness_nm;
     bool coherent = true;
+    /// Standard deviation of a thickness that varies within what is looked at; what is asked for is
+    /// then the mean over the phases of this layer, at the attenuation of its mean thickness.
+    double spread_nm = 0.0;
 };
 
 /// A stack at one wavelength, listed from the ambient (camera side) down.
@@ -44,7 +47,8 @@ struct PowerRatios {
                                           double wavelength_nm, Polarisation polarisation);
 
 /// Power ratios of a coherent, incoherent or mixed stack; intensities are added across layers that
-/// are not coherent, as `inc_tmm` of the tmm package does.
+/// are not coherent, as `inc_tmm` of the tmm package does, and averaged over the phases of layers
+/// that have a spread.
 [[nodiscard]] PowerRatios stack_power(const FilmStack& stack, double cos_ambient,
                                       double wavelength_nm, Polarisation polarisation);
 
@@ -52,11 +56,26 @@ struct PowerRatios {
 [[nodiscard]] PowerRatios stack_power_unpolarised(const FilmStack& stack, double cos_ambient,
                                                   double wavelength_nm);
 
+/// What each layer absorbs of the incident power: the flux into it minus the flux out of it. In a
+/// coherent stack they and T and R have the sum 1; across an incoherent layer interference of what
+/// goes up and down is neglected, as in the powers themselves.
+/// @pre no layer has a spread
+[[nodiscard]] std::vector<double> layer_absorption(const FilmStack& stack, double cos_ambient,
+                                                   double wavelength_nm, Polarisation polarisation);
+
+/// The stack as a Gaussian band of wavelengths sees it, at the indices of its centre: each coherent
+/// layer gains the spread whose phases are those of its own path over the band.
+/// @param bandwidth_nm  full width at half maximum, ≥ 0
+[[nodiscard]] FilmStack seen_in_band(FilmStack stack, double bandwidth_nm, double wavelength_nm);
+
+/// Whether R and T are means, so that no amplitude stands for them.
+[[nodiscard]] bool has_amplitudes(const FilmStack& stack) noexcept;
+
 /// What is wrong with a stack, or nothing: an index that is not finite, n ≤ 0, k < 0 (gain),
-/// a negative or infinite thickness, an absorbing ambient, more than 64 layers. Fields are named as
-/// in `n[3]`, `d_nm[1]`; the caller adds file and line.
+/// a negative or infinite thickness or spread, an absorbing ambient, more than 64 layers. Fields
+/// are named as in `n[3]`, `d_nm[1]`; the caller adds file and line.
 struct StackProblem {
-    const char* field;  ///< "n" or "d_nm"
+    const char* field;  ///< "n", "d_nm" or "spread_nm"
     int index;
     const char* message;
 };
