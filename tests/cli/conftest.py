@@ -58,6 +58,13 @@ def nacre() -> Tool:
     return Tool(program)
 
 
+@pytest.fixture(autouse=True)
+def own_library(tmp_path, monkeypatch) -> Path:
+    """A library of the user's own, empty: nobody's real one has a say."""
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    return tmp_path / "data" / "nacre"
+
+
 @pytest.fixture(scope="session")
 def templates() -> Path:
     return TEMPLATES

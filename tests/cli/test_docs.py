@@ -76,3 +76,12 @@ def test_library_page_counts_what_is_there(nacre):
     assert dict(re.findall(r"`(\w+)` \| (\d+)", text)) == {
         tag: str(count) for tag, count in counted.items()
     }
+
+
+def test_library_page_counts_the_spectra(nacre):
+    spectra = json.loads(nacre.ok("library", "list", "--kind", "spectra", "--json"))
+    text = (ROOT / "cpp_tools/doc/library.md").read_text(encoding="utf-8")
+    assert f"{len(spectra)} named spectra" in text
+    counted = Counter(entry["key"].split("/")[0] for entry in spectra)
+    families = dict(re.findall(r"^\| `([\w.]+)/` \| (\d+) \| [a-z]+ \|", text, re.MULTILINE))
+    assert families == {family: str(count) for family, count in counted.items()}

@@ -352,3 +352,37 @@ def test_gamut_needs_an_rgb_space(nacre):
         stdin=json.dumps({"illuminant": "A"}),
     )
     assert "--gamut: must be keep in a space that is not RGB" in errors
+
+
+def test_spectra_of_the_library_by_name(nacre):
+    chart = colour.SDS_COLOURCHECKERS["ColorChecker N Ohta"]["dark skin"]
+    patch, under_a, lamp, inline = nacre.evaluate(
+        "spectrum",
+        [
+            {"spectrum": "colorchecker/dark-skin"},
+            {"spectrum": "colorchecker/dark-skin", "illuminant": "A", "observer": "cie1964"},
+            {"spectrum": "lamp/hps"},
+            {
+                "wavelength_nm": chart.wavelengths.tolist(),
+                "values": chart.values.tolist(),
+                "kind": "reflectance",
+            },
+        ],
+    )
+    assert patch["XYZ"] == pytest.approx(inline["XYZ"], rel=1e-12)
+    assert under_a["XYZ"][0] > patch["XYZ"][0]
+    assert 1900 < lamp["cct_K"] < 2200
+
+
+@pytest.mark.parametrize(
+    ("record", "message"),
+    [
+        ({"spectrum": "colorchecker/dark"}, "[0].spectrum: must be a key of the library"),
+        ({"spectrum": 3}, "[0].spectrum: must be"),
+        ({"spectrum": "lamp/hps", "illuminant": "A"}, "an emission is its own light"),
+        ({"spectrum": "lamp/hps", "values": [1]}, "[0].values: is not known here"),
+        ({"illuminant": "study/gold"}, "[0].illuminant: must be a light"),
+    ],
+)
+def test_wrong_names_of_spectra(nacre, record, message):
+    assert message in nacre.fails("eval", "spectrum", stdin=json.dumps([record]))

@@ -54,6 +54,51 @@ def test_list_by_formula_and_tag(nacre):
     assert "tags: metal, alloy" in nacre.ok("library", "show", "brass/Querry-Cu70Zn30")
 
 
+def test_spectra_are_listed_and_shown(nacre):
+    entries = json.loads(nacre.ok("library", "list", "--kind", "spectra", "--json"))
+    assert len(entries) >= 165
+    assert {entry["library"] for entry in entries} == {"nacre"}
+    for entry in entries[::17]:
+        shown = json.loads(nacre.ok("library", "show", entry["key"], "--json"))
+        assert shown["references"]
+        assert shown["licence"]
+        assert len(shown["wavelength_nm"]) == len(shown["values"]) >= 2
+    text = nacre.ok("library", "show", "lamp/hps", "--at", "590")
+    assert "kind: emission" in text
+    assert "590 nm: " in text
+
+
+def test_spectra_by_name_and_tag(nacre):
+    def keys(*arguments):
+        text = nacre.ok("library", "list", "--kind", "spectra", *arguments, "--json")
+        return {entry["key"] for entry in json.loads(text)}
+
+    assert len(keys("--tag", "colorchecker")) == 24
+    assert len(keys("--tag", "study")) == 8
+    assert "lamp/phos-1" in keys("--tag", "led")
+    assert {"lamp/hps", "lamp/lps"} < keys("SODIUM")
+    assert keys("Johnson") == {"study/gold"}
+
+
+def test_unknown_key_names_near_ones_of_both_kinds(nacre):
+    assert "lamp/hps" in nacre.fails("library", "show", "lamp/hpss")
+    errors = nacre.fails("library", "show", "lamp/hps", "--kind", "medium")
+    assert "medium: must be a key of the library" in errors
+
+
+def test_a_broken_file_of_ones_own_does_not_hide_the_others(nacre, own_library):
+    folder = own_library / "spectra"
+    folder.mkdir(parents=True)
+    (folder / "bad.csv").write_text("nonsense")
+    (folder / "good.csv").write_text("# KIND: emission\n400,1\n700,1\n")
+    result = nacre("library", "list", "--kind", "spectra", "--json")
+    assert result.returncode == 1
+    assert f"{folder / 'bad.csv'}:1: " in result.stderr
+    entries = {entry["key"]: entry["library"] for entry in json.loads(result.stdout)}
+    assert len(entries) >= 166
+    assert entries["good"] == "user"
+
+
 def test_water_at_the_sodium_line(nacre):
     """Daimon & Masumura 2007: n = 1.3334 at 589 nm and 20 °C."""
     text = nacre.ok("library", "show", "water/Daimon-20C", "--at", "589.3")

@@ -7,6 +7,7 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import colour
 import numpy as np
 import pytest
 
@@ -67,6 +68,50 @@ def test_shapes_of_indices():
     assert glass.index([]).shape == (0,)
     assert glass.references
     assert glass.index(np.float32(550)) == glass.index(550)
+
+
+@pytest.mark.parametrize("key", nacre.library.keys("spectra"))
+def test_every_spectrum_can_be_read(key):
+    spectrum = nacre.library.spectrum(key)
+    assert spectrum.key == key
+    assert spectrum.kind in ("emission", "reflectance")
+    assert spectrum.name
+    assert spectrum.references
+    assert spectrum.licence
+    assert spectrum.wavelength_nm.shape == spectrum.values.shape
+    assert (np.diff(spectrum.wavelength_nm) > 0).all()
+    assert (spectrum.values >= 0).all()
+
+
+def test_the_chart_is_that_of_its_source():
+    chart = colour.SDS_COLOURCHECKERS["ColorChecker N Ohta"]
+    keys = [key for key in nacre.library.keys("spectra") if key.startswith("colorchecker/")]
+    assert len(keys) == len(chart) == 24
+    ours = {nacre.library.spectrum(key).name: nacre.library.spectrum(key) for key in keys}
+    for name, theirs in chart.items():
+        patch = ours["ColorChecker, " + name.split(" (")[0]]
+        np.testing.assert_array_equal(patch.wavelength_nm, theirs.wavelengths)
+        np.testing.assert_allclose(patch.values, theirs.values, rtol=1e-9)
+
+
+def test_spectra_of_ones_own_are_found_and_read_anew(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path))
+    before = nacre.library.keys("spectra")
+    folder = tmp_path / "nacre" / "spectra"
+    folder.mkdir(parents=True)
+    (folder / "mine.csv").write_text("# KIND: reflectance\n400,0.5\n700,1\n")
+    assert sorted([*before, "mine"]) == nacre.library.keys("spectra")
+    mine = nacre.library.spectrum("mine")
+    assert (mine.kind, mine.values.tolist()) == ("reflectance", [0.5, 1.0])
+    mine.values[0] = 7  # a copy
+    assert nacre.library.spectrum("mine").values[0] == 0.5
+
+
+def test_unknown_spectra_and_kinds():
+    with pytest.raises(nacre.NacreError, match="perhaps lamp/hps"):
+        nacre.library.spectrum("lamp/hpss")
+    with pytest.raises(nacre.NacreError, match="must be media or spectra"):
+        nacre.library.keys("lamps")
 
 
 @pytest.mark.parametrize("name", sorted(path.stem for path in TEMPLATES.glob("*.toml")))

@@ -5,7 +5,7 @@
 #include "eval.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/colour.h"
-#include "nacre/spectral/spectrum.h"
+#include "nacre/spectral/spectrum_library.h"
 
 namespace nacre::tool {
 namespace {
@@ -118,22 +118,51 @@ std::optional<spectral::Spectrum> read_samples(ObjectReader& reader)
     return spectral::Spectrum(*wavelengths, *values);
 }
 
-Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, spectral::Adaptation how)
+/// Values on the grid, and what they are.
+struct GivenSpectrum {
+    spectral::Sampled values;
+    bool is_emission;
+};
+
+/// `spectrum`: the key of one in the library.
+std::optional<GivenSpectrum> read_named(ObjectReader& reader)
+{
+    const auto key = reader.text("spectrum");
+    if (!key) return std::nullopt;
+    try {
+        const spectral::NamedSpectrum& found = spectral::library_spectrum(*key);
+        return GivenSpectrum{found.on_grid(), found.kind == spectral::SpectrumKind::emission};
+    } catch (const InputError& error) {
+        for (const Diagnostic& problem : error.diagnostics())
+            reader.problem("spectrum", problem.message);
+        return std::nullopt;
+    }
+}
+
+/// `wavelength_nm`, `values` and `kind`.
+std::optional<GivenSpectrum> read_given(ObjectReader& reader)
 {
     const auto samples = read_samples(reader);
     const auto kind = reader.choice("kind", {"emission", "reflectance"});
+    if (!samples || !kind) return std::nullopt;
+    return GivenSpectrum{samples->on_grid(), *kind == "emission"};
+}
+
+Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, spectral::Adaptation how)
+{
+    const auto given = reader.has("spectrum") ? read_named(reader) : read_given(reader);
     const ObserverId observer = read_observer(reader);
     const bool named = reader.has("illuminant");
-    if (named && kind == "emission")
+    if (named && given && given->is_emission)
         reader.problem("illuminant", "belongs to kind reflectance; an emission is its own light");
     auto illuminant =
         named ? read_illuminant(reader)
               : (void(reader.optional("illuminant")), spectral::named_illuminant("D65"));
     reader.refuse_unknown_keys();
     problems.throw_if_any();
-    if (*kind == "emission")
-        return emission_colour(spectral::emission_to_xyz(samples->on_grid(), observer));
-    return reflectance_colour(samples->on_grid(), *illuminant, observer, how);
+    if (given->is_emission)
+        return emission_colour(spectral::emission_to_xyz(given->values, observer));
+    return reflectance_colour(given->values, *illuminant, observer, how);
 }
 
 Colour read_colour(const json& record, spectral::Adaptation how)
@@ -141,7 +170,8 @@ Colour read_colour(const json& record, spectral::Adaptation how)
     DiagnosticList problems;
     ObjectReader reader(record, "", problems);
     problems.throw_if_any();
-    const bool sampled = reader.has("values") || reader.has("wavelength_nm") || reader.has("kind");
+    const bool sampled = reader.has("spectrum") || reader.has("values") ||
+                         reader.has("wavelength_nm") || reader.has("kind");
     if (!sampled)
         for (const char* key : {"blackbody_K", "daylight_K", "illuminant"})
             if (reader.has(key)) return read_source(reader, key, problems);

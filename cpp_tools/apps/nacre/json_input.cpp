@@ -12,12 +12,11 @@
 #include <fmt/ranges.h>
 
 #include "nacre/core/file_io.h"
+#include "nacre/core/limits.h"
 
 namespace nacre::tool {
 namespace {
 
-constexpr std::size_t kMaxBatchBytes = std::size_t{256} << 20;
-constexpr int kMaxDepth = 64;
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
 /// The words that JSON lacks, as a string that no JSON text of a user's holds by chance.
@@ -68,9 +67,9 @@ private:
         if (c == '"') in_string_ = true;
         if (c == '[' || c == '{') {
             if (depth_++ == 0) in_array_ = expects_element_ = c == '[';
-            if (depth_ > kMaxDepth)
+            if (depth_ > kMaxJsonDepth)
                 throw InputError(
-                    {file_, line_, "", fmt::format("nested deeper than {} levels", kMaxDepth)});
+                    {file_, line_, "", fmt::format("nested deeper than {} levels", kMaxJsonDepth)});
         }
         if (c == ']' || c == '}') --depth_;
         if (c == ',' && depth_ == 1) expects_element_ = true;

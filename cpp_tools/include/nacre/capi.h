@@ -167,7 +167,10 @@ NACRE_API nacre_status nacre_result_table(const nacre_result* result, size_t ind
 NACRE_API const char* nacre_result_text(const nacre_result* result, const char* name);
 NACRE_API void nacre_result_free(nacre_result* result);
 
-/** Media of the built-in library, in ascending order of their keys. */
+/**
+ * Media that come with Nacre and the user's own ($XDG_DATA_HOME/nacre), in ascending order of their
+ * keys. The count looks anew and the keys are those of the calling thread's last count.
+ */
 NACRE_API size_t nacre_library_count(void);
 NACRE_API const char* nacre_library_key(size_t index); /**< NULL past the end */
 
@@ -180,6 +183,21 @@ NACRE_API nacre_status nacre_library_medium(const char* key, nacre_medium* mediu
 /** @param n  count pairs */
 NACRE_API nacre_status nacre_library_index(const char* key, size_t count,
                                            const double* wavelength_nm, double* n);
+
+/** Spectra, counted and listed as the media are. */
+NACRE_API size_t nacre_library_spectrum_count(void);
+NACRE_API const char* nacre_library_spectrum_key(size_t index); /**< NULL past the end */
+
+/** The pointers live as long as the process. */
+typedef struct nacre_spectrum {
+    const char *key, *name;
+    const char* kind; /**< "emission" or "reflectance" */
+    const char *references, *licence, *comments;
+    size_t count;
+    const double *wavelength_nm, *values;
+} nacre_spectrum;
+
+NACRE_API nacre_status nacre_library_spectrum(const char* key, nacre_spectrum* spectrum);
 
 #ifdef __cplusplus
 }

@@ -93,6 +93,20 @@ class Medium(Structure):
     ]
 
 
+class Spectrum(Structure):
+    _fields_ = [
+        ("key", c_char_p),
+        ("name", c_char_p),
+        ("kind", c_char_p),
+        ("references", c_char_p),
+        ("licence", c_char_p),
+        ("comments", c_char_p),
+        ("count", c_size_t),
+        ("wavelength_nm", POINTER(c_double)),
+        ("values", POINTER(c_double)),
+    ]
+
+
 _SIGNATURES = {
     "nacre_api_version": (c_int, []),
     "nacre_version": (c_char_p, []),
@@ -123,6 +137,9 @@ _SIGNATURES = {
     "nacre_library_key": (c_char_p, [c_size_t]),
     "nacre_library_medium": (c_int, [c_char_p, POINTER(Medium)]),
     "nacre_library_index": (c_int, [c_char_p, c_size_t, c_void_p, c_void_p]),
+    "nacre_library_spectrum_count": (c_size_t, []),
+    "nacre_library_spectrum_key": (c_char_p, [c_size_t]),
+    "nacre_library_spectrum": (c_int, [c_char_p, POINTER(Spectrum)]),
 }
 
 

@@ -1,15 +1,62 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <mutex>
+#include <set>
+
 #include "guard.h"
 #include "nacre/spectral/optical_constants.h"
+#include "nacre/spectral/spectrum_library.h"
 
 namespace nacre::capi {
 namespace {
 
-const std::vector<std::string>& keys()
+/// Text whose address stays, each once.
+const char* kept(const std::string& text)
 {
-    static const std::vector<std::string> all = spectral::library_keys();
-    return all;
+    static std::mutex mutex;
+    static std::set<std::string> all;
+    const std::lock_guard lock(mutex);
+    return all.insert(text).first->c_str();
+}
+
+/// The keys of one kind, as the calling thread saw them last.
+class KeyList {
+public:
+    explicit KeyList(std::vector<std::string> (*keys)()) : keys_(keys) {}
+
+    size_t count() noexcept
+    {
+        size_t result = 0;
+        guarded([&] {
+            std::vector<const char*> found;
+            for (const std::string& key : keys_()) found.push_back(kept(key));
+            listed_ = std::move(found);
+            result = listed_.size();
+        });
+        return result;
+    }
+
+    const char* at(size_t index) noexcept
+    {
+        if (listed_.empty()) (void)count();
+        return index < listed_.size() ? listed_[index] : nullptr;
+    }
+
+private:
+    std::vector<std::string> (*keys_)();
+    std::vector<const char*> listed_;
+};
+
+KeyList& media()
+{
+    thread_local KeyList list(spectral::library_keys);
+    return list;
+}
+
+KeyList& spectra()
+{
+    thread_local KeyList list(spectral::library_spectrum_keys);
+    return list;
 }
 
 }  // namespace
@@ -19,14 +66,40 @@ extern "C" {
 
 size_t nacre_library_count(void)
 {
-    size_t count = 0;
-    nacre::capi::guarded([&] { count = nacre::capi::keys().size(); });
-    return count;
+    return nacre::capi::media().count();
 }
 
 const char* nacre_library_key(size_t index)
 {
-    return index < nacre_library_count() ? nacre::capi::keys()[index].c_str() : nullptr;
+    return nacre::capi::media().at(index);
+}
+
+size_t nacre_library_spectrum_count(void)
+{
+    return nacre::capi::spectra().count();
+}
+
+const char* nacre_library_spectrum_key(size_t index)
+{
+    return nacre::capi::spectra().at(index);
+}
+
+nacre_status nacre_library_spectrum(const char* key, nacre_spectrum* spectrum)
+{
+    return nacre::capi::guarded([&] {
+        nacre::capi::require(key, "key");
+        nacre::capi::require(spectrum, "spectrum");
+        const nacre::spectral::NamedSpectrum& found = nacre::spectral::library_spectrum(key);
+        *spectrum = {.key = found.key.c_str(),
+                     .name = found.name.c_str(),
+                     .kind = nacre::spectral::spectrum_kind_name(*found.kind).data(),
+                     .references = found.references.c_str(),
+                     .licence = found.licence.c_str(),
+                     .comments = found.comments.c_str(),
+                     .count = found.samples.values().size(),
+                     .wavelength_nm = found.samples.wavelengths_nm().data(),
+                     .values = found.samples.values().data()};
+    });
 }
 
 nacre_status nacre_library_medium(const char* key, nacre_medium* medium)

@@ -8,9 +8,12 @@
 #include <cmath>
 
 #include "csv_table.h"
+#include "illuminant_table.h"
 #include "nacre/core/diagnostics.h"
+#include "nacre/core/resources.h"
 #include "nacre/spectral/illuminant.h"
-#include "nacre/spectral/spectrum.h"
+#include "nacre/spectral/spectrum_library.h"
+#include "text_lines.h"
 
 namespace nacre::spectral {
 
@@ -91,17 +94,46 @@ std::vector<SpectralLine> parse_lines(std::string_view text)
     }
 }
 
+Spectrum samples_of(const NamedTable& table)
+{
+    if (table.path == nullptr) return {{kFirstNm, kLastNm}, {1.0, 1.0}};
+    CsvTable csv = load_csv(table.path, table.columns);
+    return {std::move(csv.columns[0]), std::move(csv.columns[table.column])};
+}
+
 Illuminant tabulated(const NamedTable& table)
 {
-    Illuminant illuminant{.name = table.name, .power = {}};
-    if (table.path == nullptr) {
-        illuminant.power.fill(1.0);
-        return illuminant;
-    }
-    CsvTable csv = load_csv(table.path, table.columns);
-    illuminant.power = Spectrum(std::move(csv.columns[0]), std::move(csv.columns[table.column]))
-                           .on_grid(Interpolation::linear);
-    return illuminant;
+    return {.name = table.name, .power = samples_of(table).on_grid(Interpolation::linear)};
+}
+
+constexpr std::string_view kKeyFolder = "cie/";
+
+const NamedTable* table_of_key(std::string_view key)
+{
+    if (!key.starts_with(kKeyFolder)) return nullptr;
+    key.remove_prefix(kKeyFolder.size());
+    const auto* const found = std::ranges::find(kTables, key, &NamedTable::name);
+    return found == std::end(kTables) ? nullptr : found;
+}
+
+/// What follows `# Source: ` or another word in the comments of an embedded table.
+std::string comment_of(const NamedTable& table, std::string_view word)
+{
+    if (table.path == nullptr) return {};
+    TextLines lines(find_resource(table.path).value_or(std::string_view()));
+    while (auto line = lines.next())
+        if (const std::string head = fmt::format("# {}: ", word); line->starts_with(head))
+            return std::string(line->substr(head.size()));
+    return {};
+}
+
+/// A light of the library of spectra. Its name always has a slash, which no other name has.
+Illuminant library_light(std::string_view key)
+{
+    const NamedSpectrum& found = library_spectrum(key);
+    if (found.kind != SpectrumKind::emission)
+        throw_problem(fmt::format("must be a light; {} is a reflectance", key));
+    return {.name = std::string(key), .power = found.on_grid()};
 }
 
 }  // namespace
@@ -110,6 +142,7 @@ Illuminant named_illuminant(std::string_view name)
 {
     const auto* const found = std::ranges::find(kTables, name, &NamedTable::name);
     if (found != std::end(kTables)) return tabulated(*found);
+    if (name.find('/') != std::string_view::npos) return library_light(name);
 
     const std::size_t colon = name.find(':');
     const std::string_view kind = name.substr(0, colon);
@@ -135,6 +168,32 @@ std::vector<std::string> illuminant_names()
     std::vector<std::string> names;
     for (const NamedTable& table : kTables) names.emplace_back(table.name);
     return names;
+}
+
+bool is_illuminant_key(std::string_view key)
+{
+    return table_of_key(key) != nullptr;
+}
+
+std::vector<std::string> illuminant_keys()
+{
+    std::vector<std::string> keys = illuminant_names();
+    for (std::string& key : keys) key.insert(0, kKeyFolder);
+    return keys;
+}
+
+NamedSpectrum illuminant_entry(std::string_view key)
+{
+    const NamedTable& table = *table_of_key(key);
+    const bool drawn = table.path == nullptr;
+    return {.key = std::string(key),
+            .name = fmt::format("CIE illuminant {}", table.name),
+            .references = drawn ? "CIE 015:2018" : comment_of(table, "Source"),
+            .licence = drawn ? "1 at every wavelength by definition" : comment_of(table, "Licence"),
+            .comments = {},
+            .tags = {"illuminant"},
+            .kind = SpectrumKind::emission,
+            .samples = samples_of(table)};
 }
 
 Illuminant line_spectrum(const std::vector<SpectralLine>& lines)

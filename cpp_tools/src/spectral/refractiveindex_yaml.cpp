@@ -3,15 +3,13 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "markup.h"
 #include "nacre/core/diagnostics.h"
-#include "nacre/core/file_io.h"
 #include "tabulated_index.h"
+#include "text_lines.h"
 
 namespace nacre::spectral {
 
@@ -21,29 +19,12 @@ namespace {
 std::optional<std::vector<double>> parse_numbers(std::string_view text)
 {
     std::vector<double> numbers;
-    constexpr std::string_view kSpace = " \t\r,";
-    for (;;) {
-        const std::size_t start = text.find_first_not_of(kSpace);
-        if (start == std::string_view::npos) return numbers;
-        text.remove_prefix(start);
-        if (text.starts_with('+')) text.remove_prefix(1);
-        const std::size_t length = std::min(text.find_first_of(kSpace), text.size());
-        double number = 0.0;
-        const auto [end, error] = std::from_chars(text.data(), text.data() + length, number);
-        if (error != std::errc{} || end != text.data() + length) return std::nullopt;
-        numbers.push_back(number);
-        text.remove_prefix(length);
+    for (const std::string_view word : split_words(text)) {
+        const auto number = parse_number(word);
+        if (!number) return std::nullopt;
+        numbers.push_back(*number);
     }
-}
-
-/// The start of what a user wrote, for a message: bytes that may be no UTF-8 become `?`.
-std::string excerpt(std::string_view text)
-{
-    constexpr std::size_t kMost = 60;
-    std::string shown(text.substr(0, kMost));
-    std::ranges::replace_if(
-        shown, [](char c) { return c < ' ' || c > '~'; }, '?');
-    return text.size() > kMost ? shown + "…" : shown;
+    return numbers;
 }
 
 int line_of(const YAML::Mark& mark)
@@ -54,7 +35,7 @@ int line_of(const YAML::Mark& mark)
 /// Reads DATA and collects all that is wrong with it.
 class DataReader {
 public:
-    explicit DataReader(std::string name) : name_(std::move(name)) {}
+    explicit DataReader(const std::string& name) : name_(name), problems_(name) {}
 
     MeasuredIndex read(const YAML::Node& root)
     {
@@ -74,9 +55,7 @@ public:
 private:
     void add(int line, std::string field, std::string message)
     {
-        constexpr int kMost = 50;  // a file of another kind is wrong in every line
-        if (++count_ == kMost) message += "; there is more that is wrong";
-        if (count_ <= kMost) problems_.add({name_, line, std::move(field), std::move(message)});
+        problems_.add(line, std::move(field), std::move(message));
     }
 
     void read_entry(const YAML::Node& entry, const std::string& field)
@@ -224,8 +203,7 @@ private:
     }
 
     std::string name_;
-    DiagnosticList problems_;
-    int count_ = 0;
+    FileProblems problems_;
     std::optional<std::variant<IndexTable, RangedFormula>> n_;
     std::optional<IndexTable> k_;
 };
@@ -252,11 +230,7 @@ std::vector<std::string> texts_of(const YAML::Node& root, const char* key)
 Medium parse_refractiveindex_yaml(std::string_view text, std::string_view name)
 {
     const std::string file(name);
-    if (text.size() > kMaxTextBytes)
-        throw InputError(
-            {.file = file,
-             .field = {},
-             .message = fmt::format("must not be larger than {} bytes", kMaxTextBytes)});
+    check_size(text, file);
     try {
         // Aliases are shared nodes in yaml-cpp, never copies, and its parser limits the depth.
         const YAML::Node root = YAML::Load(std::string(text));

@@ -454,6 +454,33 @@ TEST(CapiLibrary, RefusesUnknownMediaAndWavelengthsOutsideTheData)
     EXPECT_EQ(error(nacre_library_index("Au/Johnson", 1, nm, nullptr)), "n: must not be null");
 }
 
+TEST(CapiLibrary, SpectraComeWithTheirSamples)
+{
+    const std::size_t count = nacre_library_spectrum_count();
+    ASSERT_GT(count, 160U);
+    EXPECT_EQ(nacre_library_spectrum_key(count), nullptr);
+    for (std::size_t i = 0; i < count; ++i) {
+        nacre_spectrum spectrum;
+        ASSERT_EQ(nacre_library_spectrum(nacre_library_spectrum_key(i), &spectrum), NACRE_OK);
+        EXPECT_STREQ(spectrum.key, nacre_library_spectrum_key(i));
+        EXPECT_STRNE(spectrum.references, "") << spectrum.key;
+        EXPECT_STRNE(spectrum.licence, "") << spectrum.key;
+        ASSERT_GE(spectrum.count, 2U);
+        EXPECT_LT(spectrum.wavelength_nm[0], spectrum.wavelength_nm[spectrum.count - 1]);
+    }
+    nacre_spectrum box{};
+    ASSERT_EQ(nacre_library_spectrum("study/box", &box), NACRE_OK);
+    EXPECT_STREQ(box.kind, "emission");
+    EXPECT_EQ(box.count, 471U);
+    EXPECT_EQ(box.values[0], 0.0);
+    EXPECT_EQ(box.values[100], 1.0);
+
+    EXPECT_NE(error(nacre_library_spectrum("study/bx", &box)).find("study/box"), std::string::npos);
+    EXPECT_STREQ(box.key, "study/box");
+    EXPECT_EQ(error(nacre_library_spectrum(nullptr, &box)), "key: must not be null");
+    EXPECT_EQ(error(nacre_library_spectrum("study/box", nullptr)), "spectrum: must not be null");
+}
+
 TEST(CapiLibrary, MayBeReadByThreads)
 {
     std::vector<std::thread> threads;

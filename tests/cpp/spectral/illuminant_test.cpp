@@ -67,7 +67,7 @@ TEST(NamedIlluminant, RefusesOtherNamesWithAList)
     EXPECT_INPUT_ERROR((void)named_illuminant("D60"),
                        "illuminant: must be one of E, A, D65, D50, D55, D75, B, C, F1, ");
     EXPECT_INPUT_ERROR((void)named_illuminant("D60"),
-                       "LED-V2, blackbody:<K>, daylight:<K>, "
+                       "LED-V2, a light of the library (lamp/hps), blackbody:<K>, daylight:<K>, "
                        "line:<nm>[@<power>][,<nm>[@<power>]…] (got 'D60')");
     EXPECT_INPUT_ERROR((void)named_illuminant(""), "must be one of");
     EXPECT_INPUT_ERROR((void)named_illuminant("blackbody"), "must be one of");

@@ -7,13 +7,12 @@
 #include <string>
 #include <string_view>
 
+#include "nacre/core/limits.h"
+
 /// @file
 /// Whole files in, whole files out.
 
 namespace nacre {
-
-/// Largest text input that any reader accepts, in bytes.
-inline constexpr std::size_t kMaxTextBytes = std::size_t{16} << 20;
 
 /// Reads a text file as UTF-8 bytes.
 /// @throws InputError when it is missing, unreadable, a folder, or larger than `limit`.

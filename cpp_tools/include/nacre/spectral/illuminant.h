@@ -16,13 +16,14 @@ struct Illuminant {
     Sampled power;
 };
 
-/// By text: a name of `illuminant_names()`, whose tables come from data/spd (E is 1 everywhere), or
-/// one of `kIlluminantForms`: `blackbody:3200`, `daylight:5600`, `line:589.3`,
-/// `line:435.8@1,546.1@0.8`.
+/// By text: a name of `illuminant_names()`, whose tables come from data/spd (E is 1 everywhere);
+/// the key of an emission in the library of spectra, `lamp/hps`; or one of `kIlluminantForms`:
+/// `blackbody:3200`, `daylight:5600`, `line:589.3`, `line:435.8@1,546.1@0.8`.
 /// @throws InputError for anything else; the message lists names and forms.
 [[nodiscard]] Illuminant named_illuminant(std::string_view text);
 inline constexpr std::string_view kIlluminantForms =
-    "blackbody:<K>, daylight:<K>, line:<nm>[@<power>][,<nm>[@<power>]…]";
+    "a light of the library (lamp/hps), blackbody:<K>, daylight:<K>, "
+    "line:<nm>[@<power>][,<nm>[@<power>]…]";
 /// CIE E, A, B, C, D50, D55, D65, D75, F1 … F12, LED-B1 … LED-V2.
 [[nodiscard]] std::vector<std::string> illuminant_names();
 

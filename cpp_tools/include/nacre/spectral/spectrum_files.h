@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "nacre/spectral/spectrum.h"
+
+/// @file
+/// Spectra from the text of files. Limits: nacre/core/limits.h.
+///
+/// Every reader throws an InputError with all that is wrong, each with its line, and reads nothing
+/// but what it is given; `file` is what messages call it.
+
+namespace nacre::spectral {
+
+enum class SpectrumKind {
+    emission,     ///< relative power, ≥ 0
+    reflectance,  ///< or transmittance: a ratio, 0 … 1; fluorescence may go beyond
+};
+
+[[nodiscard]] std::string_view spectrum_kind_name(SpectrumKind kind) noexcept;
+
+/// A spectrum and where it comes from.
+struct NamedSpectrum {
+    std::string key;   ///< in a library; empty for a file
+    std::string name;  ///< readable
+    std::string references, licence, comments;
+    std::vector<std::string> tags;
+    std::optional<SpectrumKind> kind;  ///< nothing where a file does not tell
+    Spectrum samples;
+
+    /// Reflectances as Spectrum::on_grid() has it; emissions linear, as the CIE reads illuminants.
+    [[nodiscard]] Sampled on_grid() const;
+};
+
+/// What is wrong with the values for the kind: a reflectance outside 0 … 2, an emission that is
+/// negative somewhere or 0 everywhere; nothing for a good one.
+[[nodiscard]] std::optional<std::string> kind_problem(const Spectrum& samples, SpectrumKind kind);
+
+/// Rows of wavelength and values, separated by one of `,` `;` or tabs. A first row of names is
+/// optional: `wavelength_nm` or `wavelength_um` (`wl`) and the names of the spectra; without it
+/// nanometres. Comments at the top may be `# KEY: value` with NAME, KIND, REFERENCES, LICENCE,
+/// COMMENTS, TAGS.
+[[nodiscard]] std::vector<NamedSpectrum> read_csv_spectra(std::string_view text,
+                                                          std::string_view file);
+
+/// The same for one spectrum whose KIND is stated: the form of the files of a library.
+[[nodiscard]] NamedSpectrum read_library_spectrum(std::string_view text, std::string_view file);
+[[nodiscard]] std::string write_library_spectrum(const NamedSpectrum& spectrum);
+
+}  // namespace nacre::spectral
