@@ -40,7 +40,6 @@ void store_power(const Stacks& in, std::size_t item, const optics::PowerRatios& 
 
 void store_amplitudes(const Stacks& in, std::size_t item, Complex r, Complex t)
 {
-    if (in.amplitudes == nullptr) return;
     double* out = in.amplitudes + 4 * item;
     out[0] = r.real();
     out[1] = r.imag();
@@ -183,7 +182,8 @@ public:
     {
         const Place at = order_.angle(angle);
         Lanes cos_0;
-        for (std::size_t i = 0; i < kLanes; ++i) cos_0[i] = in_.cosines[(lanes_[i] + at).cosine];
+        for (std::size_t i = 0; i < kLanes; ++i)
+            cos_0[i] = in_.cosines[lanes_[i].cosine + at.cosine];
         if (in_.amplitudes == nullptr)
             stack_->power(cos_0, power_);
         else
@@ -193,31 +193,35 @@ public:
 
 private:
     /// Of the polarisation that was asked for.
-    [[nodiscard]] optics::LanePower chosen_power() const
+    const optics::LanePower& chosen_power()
     {
         if (in_.polarisation != NACRE_UNPOLARISED)
             return in_.polarisation == NACRE_S ? power_.s : power_.p;
-        optics::LanePower mean;
         for (std::size_t i = 0; i < kLanes; ++i) {
-            mean.R[i] = 0.5 * (power_.s.R[i] + power_.p.R[i]);
-            mean.T[i] = 0.5 * (power_.s.T[i] + power_.p.T[i]);
+            mean_.R[i] = 0.5 * (power_.s.R[i] + power_.p.R[i]);
+            mean_.T[i] = 0.5 * (power_.s.T[i] + power_.p.T[i]);
         }
-        return mean;
+        return mean_;
     }
 
     void store(Place at)
     {
-        const auto [R, T] = chosen_power();
-        const auto& [r, t] = in_.polarisation == NACRE_S ? amplitudes_.s : amplitudes_.p;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const std::size_t item = (lanes_[i] + at).item;
-            if (power_.doubt[i] > kDoubtAllowed) {
-                solve_one(in_, *ItemCursor(in_, item), item);
-                continue;
-            }
-            store_power(in_, item, {.R = R[i], .T = T[i], .A = 1.0 - R[i] - T[i]});
-            store_amplitudes(in_, item, {r.re[i], r.im[i]}, {t.re[i], t.im[i]});
+        const auto& [R, T] = chosen_power();
+        for (std::size_t i = 0; i < count_; ++i)
+            store_power(in_, lanes_[i].item + at.item,
+                        {.R = R[i], .T = T[i], .A = 1.0 - R[i] - T[i]});
+        if (in_.amplitudes != nullptr) {
+            const auto& [r, t] = in_.polarisation == NACRE_S ? amplitudes_.s : amplitudes_.p;
+            for (std::size_t i = 0; i < count_; ++i)
+                store_amplitudes(in_, lanes_[i].item + at.item, {r.re[i], r.im[i]},
+                                 {t.re[i], t.im[i]});
         }
+        if (*std::ranges::max_element(power_.doubt) <= kDoubtAllowed) return;
+        for (std::size_t i = 0; i < count_; ++i)
+            if (power_.doubt[i] > kDoubtAllowed) {
+                const std::size_t item = lanes_[i].item + at.item;
+                solve_one(in_, *ItemCursor(in_, item), item);
+            }
     }
 
     const Stacks& in_;
@@ -226,6 +230,7 @@ private:
     std::array<Place, kLanes> lanes_{};
     std::optional<optics::PreparedStack> stack_;
     optics::BatchPower power_;
+    optics::LanePower mean_;
     optics::BatchAmplitudes amplitudes_;
 };
 

@@ -29,7 +29,10 @@ void set_to_nothing(LaneTrip& trip)
 }  // namespace
 
 AngledStack::AngledStack(const LaneStack& stack)
-    : n_0_(stack.n_0), n_above_(stack.above), n_below_(stack.below)
+    : n_0_(stack.n_0),
+      n_above_(stack.above),
+      n_below_(stack.below),
+      starts_in_ambient_(n_above_.re == n_0_ && is_zero(n_above_.im))
 {
     std::vector<const ComplexLanes*> order{&stack.above}, known;
     for (const LaneLayer& layer : stack.layers) order.push_back(&layer.n);
@@ -42,6 +45,12 @@ AngledStack::AngledStack(const LaneStack& stack)
     for (std::size_t j = 0; j < stack.layers.size(); ++j)
         passage_of_.push_back(keep_passage(medium_of_[j + 1], stack.layers[j].waves));
     roots_.resize(media_.size());
+
+    ComplexLanes one;
+    one.re.fill(1.0);
+    one.im.fill(0.0);
+    prepare_interface(over_square_above_, one, n_above_);
+    prepare_interface(over_square_below_, one, n_below_);
 }
 
 std::size_t AngledStack::keep_medium(const LaneStack& stack,
@@ -64,18 +73,19 @@ std::size_t AngledStack::keep_passage(std::size_t medium, const Lanes& waves)
 
 void AngledStack::turn_to(const Lanes& cos_0)
 {
-    const bool plain = n_above_.re == n_0_ && is_zero(n_above_.im);
-    if (plain) find_ambient_root(roots_[0], n_0_, cos_0);
-    for (std::size_t m = plain ? 1 : 0; m < media_.size(); ++m)
+    if (starts_in_ambient_) find_ambient_root(roots_[0], n_0_, cos_0);
+    for (std::size_t m = starts_in_ambient_ ? 1 : 0; m < media_.size(); ++m)
         find_root(roots_[m], media_[m], n_0_, cos_0);
 }
 
 void AngledStack::find_trips(std::vector<LaneTrip>& trips, double factor) const
 {
-    trips.resize(passages_.size() + 1);
+    if (trips.size() != passages_.size() + 1) {
+        trips.resize(passages_.size() + 1);
+        set_to_nothing(trips.back());
+    }
     for (std::size_t p = 0; p < passages_.size(); ++p)
         find_trip(trips[p], roots_[passages_[p].medium], passages_[p].waves, factor);
-    set_to_nothing(trips.back());
 }
 
 std::vector<Crossing> AngledStack::crossings(const std::vector<LaneTrip>& trips, std::size_t first,

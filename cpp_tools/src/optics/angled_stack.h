@@ -30,7 +30,15 @@ public:
     {
         return roots_[medium_of_[medium]].q;
     }
-    [[nodiscard]] LaneEnds ends() const { return {&n_above_, &n_below_, &q(0), &q(layers() + 1)}; }
+    [[nodiscard]] LaneEnds ends() const
+    {
+        return {.n_above = &n_above_,
+                .n_below = &n_below_,
+                .q_above = &q(0),
+                .q_below = &q(layers() + 1),
+                .over_square_above = &over_square_above_,
+                .over_square_below = &over_square_below_};
+    }
     void doubt(Lanes& out) const;
 
 private:
@@ -44,7 +52,8 @@ private:
     std::size_t keep_passage(std::size_t medium, const Lanes& waves);
 
     Lanes n_0_;
-    ComplexLanes n_above_, n_below_;
+    ComplexLanes n_above_, n_below_, over_square_above_, over_square_below_;
+    bool starts_in_ambient_;  ///< the half-space above is the medium in which angles are given
     std::vector<LaneMedium> media_;
     std::vector<std::size_t> medium_of_;  ///< ambient, layers, substrate
     std::vector<ComplexLanes> ratios_;    ///< of each interface

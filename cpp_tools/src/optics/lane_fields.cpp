@@ -3,7 +3,6 @@
 #include "lane_fields.h"
 
 #include <array>
-#include <limits>
 
 #include "simd.h"
 
@@ -24,7 +23,8 @@ constexpr std::size_t kNormaliseEvery = 4;
 template <std::size_t Count>
 struct Registers {
     std::array<C, Count> a, b;
-    V passed = V{} + 1.0, least = V{} + std::numeric_limits<double>::max();
+    // A power over `least` must not become subnormal, which costs a hundred cycles.
+    V passed = V{} + 1.0, least = V{} + 1e100;
 
     NACRE_INLINE void cross(C q_1, C q_2)
     {
@@ -99,19 +99,10 @@ NACRE_INLINE void carry(const std::array<LaneFields*, Count>& fields,
     }
 }
 
-/// Re η_below / Re η_above of s and p.
-struct PowerScale {
-    V s, p;
-};
-NACRE_INLINE PowerScale power_scale(const LaneEnds& ends, std::size_t i)
+/// Re(q/n²), the admittance of p.
+NACRE_INLINE V tilted(C q, C over_square)
 {
-    const C n_a = load(*ends.n_above, i), n_b = load(*ends.n_below, i);
-    const C q_a = load(*ends.q_above, i), q_b = load(*ends.q_below, i);
-    const C square_a = n_a * n_a, square_b = n_b * n_b;
-    // Re(q/n²) = Re(q conj(n²))/|n²|².
-    const V over_a = (q_a.re * square_a.re + q_a.im * square_a.im) * simd::norm(square_b);
-    const V over_b = (q_b.re * square_b.re + q_b.im * square_b.im) * simd::norm(square_a);
-    return {q_b.re / q_a.re, over_b / over_a};
+    return q.re * over_square.re - q.im * over_square.im;
 }
 
 }  // namespace
@@ -209,15 +200,20 @@ NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, Lanes& doubt,
 {
     constexpr double kNotZero = 1e-300;
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
-        const auto [scale_s, scale_p] = power_scale(ends, i);
-        const V over_s = 1.0 / simd::norm(load(fields.s.a, i));
-        const V over_p = 1.0 / simd::norm(load(fields.p.a, i));
+        const C q_above = load(*ends.q_above, i), q_below = load(*ends.q_below, i);
+        const V eta_above = tilted(q_above, load(*ends.over_square_above, i));
+        const V eta_below = tilted(q_below, load(*ends.over_square_below, i));
+        const V of_s = simd::norm(load(fields.s.a, i)), of_p = simd::norm(load(fields.p.a, i));
+        // One division for the four denominators, which all are of a moderate size.
+        const V above = q_above.re * eta_above, waves = of_s * of_p;
+        const V over_all = 1.0 / (above * waves);
+        const V over_s = over_all * above * of_p, over_p = over_all * above * of_s;
         const V t_s = over_s * load(fields.passed_s, i);
         const V t_p = over_p * load(fields.passed_p, i);
         store(s.R, i, over_s * simd::norm(load(fields.s.b, i)));
         store(p.R, i, over_p * simd::norm(load(fields.p.b, i)));
-        store(s.T, i, scale_s * t_s);
-        store(p.T, i, scale_p * t_p);
+        store(s.T, i, over_all * waves * eta_above * q_below.re * t_s);
+        store(p.T, i, over_all * waves * q_above.re * eta_below * t_p);
         const V field_s = t_s / (load(fields.least_s, i) + kNotZero);
         const V field_p = t_p / (load(fields.least_p, i) + kNotZero);
         const V field = field_s > field_p ? field_s : field_p;

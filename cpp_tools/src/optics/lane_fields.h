@@ -78,6 +78,7 @@ void gather_phase(ComplexLanes& out, const std::vector<Crossing>& crossings);
 /// Ends of a stack at an angle.
 struct LaneEnds {
     const ComplexLanes *n_above, *n_below, *q_above, *q_below;
+    const ComplexLanes *over_square_above, *over_square_below;  ///< 1/n²
 };
 /// @param doubt  multiplied by the enhancement of the field: a resonance enlarges errors of phase
 void finish_power(LanePower& s, LanePower& p, Lanes& doubt, const LaneFields& fields,

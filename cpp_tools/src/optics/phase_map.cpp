@@ -57,10 +57,9 @@ NACRE_VECTOR_CLONES void finish_map(PhaseMap::Coefficients& s_out, PhaseMap::Coe
                                     const LaneFields& up, const detail::LaneEnds& ends)
 {
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
-        const C n_a = load(*ends.n_above, i), n_b = load(*ends.n_below, i);
         const C q_a = load(*ends.q_above, i), q_b = load(*ends.q_below, i);
-        const C eta_a = q_a * simd::reciprocal(n_a * n_a);
-        const C eta_b = q_b * simd::reciprocal(n_b * n_b);
+        const C eta_a = q_a * load(*ends.over_square_above, i);
+        const C eta_b = q_b * load(*ends.over_square_below, i);
         const V passed_s = load(below.passed_s, i) * load(down.passed_s, i) * q_b.re / q_a.re;
         const V passed_p = load(below.passed_p, i) * load(down.passed_p, i) * eta_b.re / eta_a.re;
         coefficients(s_out, i, below.s, down.s, up.s, passed_s);
