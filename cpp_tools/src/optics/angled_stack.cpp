@@ -45,6 +45,7 @@ AngledStack::AngledStack(const LaneStack& stack)
     for (std::size_t j = 0; j < stack.layers.size(); ++j)
         passage_of_.push_back(keep_passage(medium_of_[j + 1], stack.layers[j].waves));
     roots_.resize(media_.size());
+    gather_loads(stack);
 
     ComplexLanes one;
     one.re.fill(1.0);
@@ -69,6 +70,17 @@ std::size_t AngledStack::keep_passage(std::size_t medium, const Lanes& waves)
         if (passages_[p].medium == medium && passages_[p].waves == waves) return p;
     passages_.push_back({medium, waves});
     return passages_.size() - 1;
+}
+
+void AngledStack::gather_loads(const LaneStack& stack)
+{
+    loads_.resize(media_.size());
+    for (MediumLoad& load : loads_) load.waves.fill(0.0);
+    for (std::size_t j = 0; j < stack.layers.size(); ++j) {
+        MediumLoad& load = loads_[medium_of_[j + 1]];
+        load.layers += 1.0;
+        for (std::size_t i = 0; i < kLanes; ++i) load.waves[i] += stack.layers[j].waves[i];
+    }
 }
 
 void AngledStack::turn_to(const Lanes& cos_0)
@@ -102,9 +114,12 @@ std::vector<Crossing> AngledStack::crossings(const std::vector<LaneTrip>& trips,
 
 void AngledStack::doubt(Lanes& out) const
 {
+    Lanes squares;
     out.fill(0.0);
-    for (std::size_t j = 0; j < layers(); ++j)
-        add_doubt(out, roots_[medium_of_[j + 1]], passages_[passage_of_[j]].waves);
+    squares.fill(0.0);
+    for (std::size_t m = 0; m < loads_.size(); ++m)
+        if (loads_[m].layers > 0) add_doubt(out, squares, roots_[m], loads_[m]);
+    limit_doubt(out, squares);
 }
 
 }  // namespace nacre::optics::detail

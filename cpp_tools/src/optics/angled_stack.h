@@ -50,6 +50,7 @@ private:
     std::size_t keep_medium(const LaneStack& stack, std::vector<const ComplexLanes*>& known,
                             const ComplexLanes& n);
     std::size_t keep_passage(std::size_t medium, const Lanes& waves);
+    void gather_loads(const LaneStack& stack);
 
     Lanes n_0_;
     ComplexLanes n_above_, n_below_, over_square_above_, over_square_below_;
@@ -60,6 +61,7 @@ private:
     std::vector<Passage> passages_;
     std::vector<std::size_t> passage_of_;  ///< of each layer
     std::vector<LaneRoot> roots_;          ///< of media_
+    std::vector<MediumLoad> loads_;        ///< of media_
 };
 
 }  // namespace nacre::optics::detail

@@ -177,11 +177,23 @@ NACRE_VECTOR_CLONES void add_trip(LaneTrip& trip, const LaneTrip& more)
     }
 }
 
-NACRE_VECTOR_CLONES void add_doubt(Lanes& doubt, const LaneRoot& root, const Lanes& waves)
+NACRE_VECTOR_CLONES void add_doubt(Lanes& sum, Lanes& squares, const LaneRoot& root,
+                                   const MediumLoad& medium)
 {
-    for (std::size_t i = 0; i < kLanes; i += kWidth)
-        store(doubt, i,
-              load(doubt, i) + load(root.doubt, i) + load(waves, i) * load(root.doubt_per_wave, i));
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const V doubt = medium.layers * load(root.doubt, i) +
+                        load(medium.waves, i) * load(root.doubt_per_wave, i);
+        store(sum, i, load(sum, i) + doubt);
+        store(squares, i, load(squares, i) + doubt * doubt);
+    }
+}
+
+NACRE_VECTOR_CLONES void limit_doubt(Lanes& sum, const Lanes& squares)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const V all = load(sum, i), typical = 3.0 * simd::square_root(load(squares, i));
+        store(sum, i, typical < all ? typical : all);
+    }
 }
 
 NACRE_VECTOR_CLONES void carry_down_wave(LaneFields& fields, const std::vector<Crossing>& crossings)

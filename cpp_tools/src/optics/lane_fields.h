@@ -60,7 +60,17 @@ void find_ambient_root(LaneRoot& out, const Lanes& n_0, const Lanes& cos_0);
 void find_trip(LaneTrip& out, const LaneRoot& root, const Lanes& waves, double factor);
 /// The trip of the sum of two thicknesses.
 void add_trip(LaneTrip& trip, const LaneTrip& more);
-void add_doubt(Lanes& doubt, const LaneRoot& root, const Lanes& waves);
+
+/// All layers of one medium: how many, and their thickness over wavelength.
+struct MediumLoad {
+    double layers = 0.0;
+    Lanes waves;
+};
+/// Adds to the sum of the doubts of all media and to that of their squares.
+void add_doubt(Lanes& sum, Lanes& squares, const LaneRoot& root, const MediumLoad& load);
+/// Layers of one medium share their roundings, those of different media do not: with many media
+/// three times the root of the squares is a bound that holds as well as the sum.
+void limit_doubt(Lanes& sum, const Lanes& squares);
 
 /// An interface and the passage through what lies above it.
 struct Crossing {
