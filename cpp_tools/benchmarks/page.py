@@ -32,6 +32,10 @@ SECTION = """<section><h2>{what}</h2>
 </svg>
 <p>ratio {ratio:.3g}, target {target:.3g}: {verdict}</p></section>"""
 
+SCALING = """<section><h2>Stacks over layers, angles and threads</h2>
+<img src="scaling.svg" alt="time over layers and angles, GFLOP/s over threads">
+<pre>{figures}</pre></section>"""
+
 
 def section(record: dict) -> str:
     scale = WIDTH / max(record["ours"], record["peer"])
@@ -52,5 +56,9 @@ def section(record: dict) -> str:
     )
 
 
-def page(records: list[dict], machine: str) -> str:
-    return PAGE.format(machine=escape(machine), sections="\n".join(map(section, records)))
+def page(records: list[dict], machine: str, scaling: str | None = None) -> str:
+    """@param scaling: figures that belong to `scaling.svg` beside the page."""
+    sections = list(map(section, records))
+    if scaling is not None:
+        sections.append(SCALING.format(figures=escape(scaling)))
+    return PAGE.format(machine=escape(machine), sections="\n".join(sections))

@@ -3,7 +3,8 @@
 """Benchmarks against peers as ratios: `./dev bench`, or `run.py -o FOLDER [PART…]`.
 
 Needs what `./dev` sets up: NACRE_LIBRARY for the stacks; NACRE_PYTHON (a Python with bpy) and
-NACRE_MATERIALS (compiled materials) for the renders; the environment of the render tests for the
+NACRE_MATERIALS (compiled materials) for the renders; NACRE_FMA_PEAK (a program) for the
+scaling; the environment of the render tests for the
 colours. A target that is missed is reported, not an error.
 """
 
@@ -89,6 +90,15 @@ def colour() -> list[Result]:
 PARTS = {"stacks": stacks, "render": render, "colour": colour}
 
 
+def scaling(folder: Path) -> str:
+    """Draws `scaling.svg`; the figures as text."""
+    import scaling as benchmark
+
+    data = benchmark.measure()
+    benchmark.draw(data, folder / "scaling.svg")
+    return benchmark.report(data)
+
+
 def machine() -> str:
     model = platform.processor() or platform.machine()
     info = Path("/proc/cpuinfo")
@@ -100,14 +110,20 @@ def machine() -> str:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(PARTS)}; all")
+    names = [*PARTS, "scaling"]
+    parser.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(names)}; all")
     parser.add_argument("-o", "--output", type=Path, required=True, metavar="FOLDER")
     options = parser.parse_args()
-    if unknown := set(options.parts) - set(PARTS):
-        parser.error(f"PART: must be one of {', '.join(PARTS)} (got {', '.join(sorted(unknown))})")
+    if unknown := set(options.parts) - set(names):
+        parser.error(f"PART: must be one of {', '.join(names)} (got {', '.join(sorted(unknown))})")
 
+    parts = options.parts or names
+    options.output.mkdir(parents=True, exist_ok=True)
+    figures = scaling(options.output) if "scaling" in parts else None
+    if figures:
+        print(figures)
     records = []
-    for name in options.parts or PARTS:
+    for name in (part for part in parts if part in PARTS):
         for result in PARTS[name]():
             record = result.record()
             records.append(record)
@@ -115,9 +131,8 @@ def main() -> None:
             print(
                 f"{record['id']:28} ×{record['ratio']:<8.3g} target {record['target']:.3g} {verdict}"
             )
-    options.output.mkdir(parents=True, exist_ok=True)
     (options.output / "results.json").write_text(json.dumps(records, indent=2) + "\n", "utf-8")
-    (options.output / "index.html").write_text(page(records, machine()), "utf-8")
+    (options.output / "index.html").write_text(page(records, machine(), figures), "utf-8")
 
 
 if __name__ == "__main__":

@@ -3,7 +3,8 @@
 """What the documents tell a reader to type works.
 
 A fenced block is run when `<!-- run -->` stands on the line before it; one with
-`<!-- file: NAME -->` is that file, there for the blocks after it.
+`<!-- file: NAME -->` is that file, there for the blocks after it; one with `<!-- prints -->` is what
+the block before it prints, with numbers cut as the page likes.
 """
 
 from __future__ import annotations
@@ -19,17 +20,19 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
-DOCUMENTS = ("README.md", "CONTRIBUTING.md", "cpp_tools/doc/library.md")
+DOCUMENTS = ("README.md", "CONTRIBUTING.md", "cpp_tools/doc/library.md", "cpp_tools/doc/models.md")
 BLOCK = re.compile(
-    r"<!-- (run|file: (?P<name>\S+)) -->\n```(?P<language>\w+)\n(?P<text>.*?)```", re.DOTALL
+    r"<!-- (?P<kind>run|prints|file: (?P<name>\S+)) -->\n```(?P<language>\w+)\n(?P<text>.*?)```",
+    re.DOTALL,
 )
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def marked_blocks(document: str) -> list[re.Match]:
     return list(BLOCK.finditer((ROOT / document).read_text(encoding="utf-8")))
 
 
-def run(language: str, text: str, folder: Path, program: Path) -> None:
+def run(language: str, text: str, folder: Path, program: Path) -> str:
     path = os.pathsep.join([str(program.parent), os.environ["PATH"]])
     packages = str(ROOT / "cpp_tools" / "python")
     command = {"sh": ["bash", "-euo", "pipefail", "-c"], "python": [sys.executable, "-c"]}[language]
@@ -43,19 +46,39 @@ def run(language: str, text: str, folder: Path, program: Path) -> None:
         check=False,
     )
     assert result.returncode == 0, f"{text}\n{result.stdout}{result.stderr}"
+    return result.stdout
+
+
+def without_numbers(text: str) -> str:
+    return re.sub(r"\s+", "", NUMBER.sub("#", text))
+
+
+def assert_prints(shown: str, printed: str) -> None:
+    """The same words, and every number within one unit of the last digit that is shown."""
+    assert without_numbers(printed) == without_numbers(shown)
+    for number, full in zip(NUMBER.findall(shown), NUMBER.findall(printed), strict=True):
+        mantissa, _, exponent = number.partition("e")
+        digits = len(mantissa.partition(".")[2])
+        unit = 10.0 ** (int(exponent or 0) - digits)
+        assert abs(float(number) - float(full)) <= 0.51 * unit, f"{number} stands for {full}"
 
 
 @pytest.mark.parametrize("document", DOCUMENTS)
 def test_commands_of_the_document_run(document, nacre, tmp_path):
+    printed = ""
     for block in marked_blocks(document):
         if block["name"]:
             (tmp_path / block["name"]).write_text(block["text"], encoding="utf-8")
+        elif block["kind"] == "prints":
+            assert_prints(block["text"], printed)
         else:
-            run(block["language"], block["text"], tmp_path, nacre.program)
+            printed = run(block["language"], block["text"], tmp_path, nacre.program)
 
 
 def test_readme_has_commands_to_run():
-    languages = [block["language"] for block in marked_blocks("README.md") if not block["name"]]
+    languages = [
+        block["language"] for block in marked_blocks("README.md") if block["kind"] == "run"
+    ]
     assert {"sh", "python"} <= set(languages)
 
 

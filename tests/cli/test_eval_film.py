@@ -9,6 +9,7 @@ import json
 import math
 
 import pytest
+from conftest import ROOT
 
 SOAP = {"n": [1, 1.33, 1], "d_nm": [400], "angle_deg": 30, "wavelength_nm": 550, "pol": "s"}
 OIL = {**SOAP, "n": [1, 1.47, 1.33]}
@@ -25,12 +26,15 @@ EXACT = {
     ("model", "film"), [(model, film) for model, films in EXACT.items() for film in films]
 )
 def test_exact_forms_agree_with_the_stack(nacre, model, film):
-    for angle, pol in itertools.product((0, 45, 89), "spu"):
-        record = {**film, "angle_deg": angle, "pol": pol}
-        stack = nacre.evaluate("stack", record)
-        answer = nacre.evaluate("film", {"model": model, **record})
+    batch = [
+        {**film, "angle_deg": angle, "pol": pol}
+        for angle, pol in itertools.product((0, 45, 89), "spu")
+    ]
+    stacks = nacre.evaluate("stack", batch)
+    answers = nacre.evaluate("film", [{"model": model, **record} for record in batch])
+    for record, stack, answer in zip(batch, stacks, answers, strict=True):
         assert answer["R"] == pytest.approx(stack["R"], abs=1e-12)
-        assert answer["exact"] == stack["R"] or pol == "u"
+        assert answer["exact"] == stack["R"] or record["pol"] == "u"
         assert answer["error"] == pytest.approx(answer["R"] - answer["exact"], abs=1e-16)
 
 
@@ -39,6 +43,57 @@ def test_the_cut_series_states_its_error(nacre):
     answer = nacre.evaluate("film", dense)
     assert 1e-4 < abs(answer["error"]) < 1e-3
     assert abs(nacre.evaluate("film", {**SOAP, "model": "series"})["error"]) < 1e-4
+
+
+def table_of_the_page(first_cell: str) -> list[list[str]]:
+    text = (ROOT / "cpp_tools/doc/models.md").read_text(encoding="utf-8")
+    rows = text[text.index(f"| {first_cell} |") :].split("\n\n")[0].splitlines()
+    return [[cell.strip() for cell in row.strip("|").split("|")] for row in rows]
+
+
+SERIES_FILMS = ([1, 1.33, 1], [1, 1.47, 1.33], [1, 2.4, 1.5], [1, 2.4, 3.5])
+
+
+@pytest.mark.parametrize("row", range(4))
+def test_the_page_states_the_error_of_the_series(nacre, row):
+    (_, *angles), _, *rows = table_of_the_page("film")
+    for angle, stated in zip(angles, rows[row][1:], strict=True):
+        batch = [
+            {
+                **SOAP,
+                "model": "series",
+                "n": SERIES_FILMS[row],
+                "d_nm": [d_nm],
+                "angle_deg": int(angle.rstrip("°")),
+                "pol": pol,
+            }
+            for d_nm in range(0, 1001, 3)
+            for pol in "sp"
+        ]
+        worst = max(abs(answer["error"]) for answer in nacre.evaluate("film", batch))
+        assert worst == pytest.approx(float(stated), rel=0.05)
+
+
+def test_the_page_states_how_far_apart_the_bands_are(nacre):
+    """The thickness at which the bands start anew, over that of a whole round trip of phase."""
+    _, _, *rows = table_of_the_page("angle")
+    batch = []
+    for angle, *factors in rows:
+        for n, factor in zip((1.33, 1.47, 2.4), factors, strict=True):
+            degrees = int(angle.rstrip("°"))
+            cos_film = math.sqrt(1 - (math.sin(math.radians(degrees)) / n) ** 2)
+            period = 550 / (2 * n * cos_film) * float(factor)  # 0.0005 off at most
+            record = {
+                "model": "path_difference",
+                "wavelength_nm": 550,
+                "n": [1, n, 1],
+                "angle_deg": degrees,
+                "view_angle_deg": degrees,
+            }
+            batch += [{**record, "d_nm": [period * share]} for share in (0.999, 1.001)]
+    bands = [answer["bands"] for answer in nacre.evaluate("film", batch)]
+    assert min(bands[0::2]) > 0.99
+    assert max(bands[1::2]) < 0.01
 
 
 def test_an_etalon_with_given_mirrors(nacre):
