@@ -84,29 +84,13 @@ std::vector<Polarisation> polarisations(const std::string& word)
     return {word == "s" ? Polarisation::s : Polarisation::p};
 }
 
-double etalon(const FilmQuestion& question, Polarisation which)
-{
-    const SingleFilm& film = question.film;
-    const double phase =
-        optics::round_trip_phase(film, question.cos_ambient, question.wavelength_nm);
-    if (question.mirror_reflectance)
-        return 1.0 - optics::etalon_transmittance(*question.mirror_reflectance, phase);
-    const auto surface = optics::fresnel_amplitudes(
-        film.n_ambient, film.n_film, question.cos_ambient,
-        optics::forward_cosine(film.n_ambient, film.n_film, question.cos_ambient));
-    const Complex r = which == Polarisation::s ? surface.r_s : surface.r_p;
-    return 1.0 - optics::etalon_transmittance(std::norm(r), phase);
-}
-
 double reflectance(const FilmQuestion& question, Polarisation which)
 {
     const Incidence light{question.cos_ambient, question.wavelength_nm, which};
-    if (question.model == "airy") return optics::airy_reflectance(question.film, light);
-    if (question.model == "series") return optics::series_reflectance(question.film, light);
-    if (question.model == "opaque_base")
-        return optics::opaque_base_reflectance(question.film, light);
-    if (question.model == "free_film") return optics::free_film_reflectance(question.film, light);
-    return etalon(question, which);
+    if (question.mirror_reflectance)
+        return optics::etalon_reflectance(question.film, light, question.mirror_reflectance);
+    return optics::film_reflectance(optics::film_model_from_name(question.model), question.film,
+                                    light);
 }
 
 ordered_json evaluate_interface(const FilmQuestion& question)

@@ -97,6 +97,29 @@ NACRE_API nacre_status nacre_stack_grid(size_t axes, const size_t* shape, size_t
                                         nacre_polarisation polarisation, double* power,
                                         double* amplitudes, double* absorption);
 
+/** One clear film on a base, and its light. */
+typedef struct nacre_film_query {
+    double n_ambient, n_film, n_base, k_base;
+    double d_nm, angle_deg, wavelength_nm;
+    double mirror_reflectance; /**< of "etalon": in [0, 1); negative: the faces' own */
+} nacre_film_query;
+
+/**
+ * Closed forms of one film.
+ * @param model   "airy", "series", "opaque_base", "free_film" or "etalon"
+ * @param R       count
+ */
+NACRE_API nacre_status nacre_film_reflectance(const char* model, size_t count,
+                                              const nacre_film_query* films,
+                                              nacre_polarisation polarisation, double* R);
+
+/**
+ * Intensity far behind slits, 1 straight ahead.
+ * @param slits      count x 4: width_nm, spacing_nm (0: one slit), angle_deg, wavelength_nm
+ * @param intensity  count
+ */
+NACRE_API nacre_status nacre_slit_intensity(size_t count, const double* slits, double* intensity);
+
 typedef struct nacre_colour {
     double XYZ[3], Lab[3], rgb[3];
 } nacre_colour;

@@ -13,6 +13,7 @@ from ._colour import Colour, spectrum_to_colour
 from ._compile import CompiledMaterial, compile_template
 from ._film import FilmLut, Table, film_lut
 from ._grating import GratingOrders, grating_orders
+from ._models import film_reflectance, slit_intensity
 from ._native import NacreError, version
 from ._stack import StackResult, stack
 
@@ -27,8 +28,10 @@ __all__ = [
     "Table",
     "compile_template",
     "film_lut",
+    "film_reflectance",
     "grating_orders",
     "library",
+    "slit_intensity",
     "spectrum_to_colour",
     "stack",
 ]

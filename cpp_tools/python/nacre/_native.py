@@ -107,6 +107,8 @@ class Spectrum(Structure):
     ]
 
 
+POLARISATIONS = {"s": 0, "p": 1, "u": 2}
+
 _SIGNATURES = {
     "nacre_api_version": (c_int, []),
     "nacre_version": (c_char_p, []),
@@ -122,6 +124,8 @@ _SIGNATURES = {
             *[POINTER(Coherence), c_int, *[c_void_p] * 3],
         ],
     ),
+    "nacre_film_reflectance": (c_int, [c_char_p, c_size_t, c_void_p, c_int, c_void_p]),
+    "nacre_slit_intensity": (c_int, [c_size_t, c_void_p, c_void_p]),
     "nacre_spectrum_to_colour": (
         c_int,
         [c_size_t, c_void_p, c_void_p, c_int, *[c_char_p] * 3, POINTER(Colour)],
@@ -190,6 +194,12 @@ def doubles(values: object, name: str, shape: tuple[int, ...] | None = None) -> 
     if shape is not None and array.shape != shape:
         raise NacreError(f"{name}: must have shape {shape} (got {array.shape})")
     return array
+
+
+def polarisation(word: str) -> int:
+    if word not in POLARISATIONS:
+        raise NacreError(f"pol: must be 's', 'p' or 'u' (got {word!r})")
+    return POLARISATIONS[word]
 
 
 def complexes(values: object, name: str) -> np.ndarray:

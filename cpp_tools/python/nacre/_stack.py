@@ -11,9 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._native import Coherence, GridArray, NacreError, check, complexes, doubles, lib
-
-_POLARISATIONS = {"s": 0, "p": 1, "u": 2}
+from ._native import Coherence, GridArray, NacreError, check, complexes, doubles, lib, polarisation
 
 
 class StackResult(NamedTuple):
@@ -95,8 +93,7 @@ def stack(
     """
     n_array, d_array = complexes(n, "n"), doubles(d_nm, "d_nm")
     angle, wavelength = doubles(angle_deg, "angle_deg"), doubles(wavelength_nm, "wavelength_nm")
-    if pol not in _POLARISATIONS:
-        raise NacreError(f"pol: must be 's', 'p' or 'u' (got {pol!r})")
+    which = polarisation(pol)
     if n_array.ndim == 0 or d_array.ndim == 0:
         raise NacreError("n, d_nm: must have an axis of media and one of layers")
     layers = d_array.shape[-1]
@@ -144,7 +141,7 @@ def stack(
             _grid_array(angle, shape, 0),
             _grid_array(wavelength, shape, 0),
             byref(coherence),
-            _POLARISATIONS[pol],
+            which,
             power.ctypes.data,
             None if amplitudes is None else amplitudes.ctypes.data,
             None if absorbed is None else absorbed.ctypes.data,

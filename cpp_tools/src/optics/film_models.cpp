@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "nacre/core/diagnostics.h"
 
 namespace nacre::optics {
@@ -194,6 +196,49 @@ double etalon_transmittance(double mirror_reflectance, double phase_rad)
     domain.throw_if_any();
     const double loss = 1.0 - mirror_reflectance, half = std::sin(0.5 * phase_rad);
     return 1.0 / (1.0 + 4.0 * mirror_reflectance / (loss * loss) * half * half);
+}
+
+double etalon_reflectance(const SingleFilm& film, const Incidence& light,
+                          std::optional<double> mirror_reflectance)
+{
+    const double phase = round_trip_phase(film, light.cos_ambient, light.wavelength_nm);
+    if (mirror_reflectance) return 1.0 - etalon_transmittance(*mirror_reflectance, phase);
+    const auto face =
+        fresnel_amplitudes(film.n_ambient, film.n_film, light.cos_ambient,
+                           forward_cosine(film.n_ambient, film.n_film, light.cos_ambient));
+    const Complex r = light.polarisation == Polarisation::s ? face.r_s : face.r_p;
+    return 1.0 - etalon_transmittance(std::norm(r), phase);
+}
+
+FilmModel film_model_from_name(std::string_view name)
+{
+    if (name == "airy") return FilmModel::airy;
+    if (name == "series") return FilmModel::series;
+    if (name == "opaque_base") return FilmModel::opaque_base;
+    if (name == "free_film") return FilmModel::free_film;
+    if (name == "etalon") return FilmModel::etalon;
+    throw InputError(
+        {.file = {},
+         .field = "model",
+         .message = fmt::format(
+             "must be one of airy, series, opaque_base, free_film, etalon (got '{}')", name)});
+}
+
+double film_reflectance(FilmModel model, const SingleFilm& film, const Incidence& light)
+{
+    switch (model) {
+        case FilmModel::airy:
+            return airy_reflectance(film, light);
+        case FilmModel::series:
+            return series_reflectance(film, light);
+        case FilmModel::opaque_base:
+            return opaque_base_reflectance(film, light);
+        case FilmModel::free_film:
+            return free_film_reflectance(film, light);
+        case FilmModel::etalon:
+            break;
+    }
+    return etalon_reflectance(film, light, std::nullopt);
 }
 
 UvForm uv_interface(double n_ambient, Complex n_base, double cos_ambient)

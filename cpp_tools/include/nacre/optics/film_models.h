@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "nacre/optics/multilayer.h"
 
 /// @file
@@ -65,6 +68,22 @@ struct Incidence {
 /// the reflectance R and shift no phase. With R = r01² of a free film it is that film's
 /// transmittance. Domain: 0 ≤ mirror_reflectance < 1.
 [[nodiscard]] double etalon_transmittance(double mirror_reflectance, double phase_rad);
+
+/// 1 − etalon_transmittance, at the phase of the film. Mirrors of a given reflectance, or the faces
+/// of the film, by the Fresnel coefficients of its upper one. Exact for a free film of its own
+/// faces. Domain: no total reflection in the film.
+[[nodiscard]] double etalon_reflectance(const SingleFilm& film, const Incidence& light,
+                                        std::optional<double> mirror_reflectance);
+
+/// Forms that give a reflectance from a film and its light alone.
+enum class FilmModel { airy, series, opaque_base, free_film, etalon };
+
+/// "airy", "series", "opaque_base", "free_film" or "etalon". @throws InputError for any other name.
+[[nodiscard]] FilmModel film_model_from_name(std::string_view name);
+
+/// By the form of that name; an etalon of the film's own faces.
+[[nodiscard]] double film_reflectance(FilmModel model, const SingleFilm& film,
+                                      const Incidence& light);
 
 /// cosθ₂ = u + iv below an interface, and the reflection coefficients, in real arithmetic alone
 /// (Born and Wolf 1999, section 14.4.1). Exact.
