@@ -20,7 +20,13 @@ from pathlib import Path
 import pytest
 from conftest import ROOT
 
-DOCUMENTS = ("README.md", "CONTRIBUTING.md", "cpp_tools/doc/library.md", "cpp_tools/doc/models.md")
+DOCUMENTS = (
+    "README.md",
+    "CONTRIBUTING.md",
+    "cpp_tools/doc/colour.md",
+    "cpp_tools/doc/library.md",
+    "cpp_tools/doc/models.md",
+)
 BLOCK = re.compile(
     r"<!-- (?P<kind>run|prints|file: (?P<name>\S+)) -->\n```(?P<language>\w+)\n(?P<text>.*?)```",
     re.DOTALL,

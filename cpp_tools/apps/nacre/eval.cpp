@@ -52,11 +52,21 @@ constexpr const char* kSpectrumHelp = R"(
 record  {"wavelength_nm": […], "values": […], "kind": "emission|reflectance",
          "illuminant": "D65", "observer": "cie1931|cie1964"}
         {"illuminant": "D50"}, {"blackbody_K": 2856} or {"daylight_K": 6504}, with "observer" or not
+        {"rgb": [r, g, b], "method": "jakob-hanika|smits", "kind": "reflectance|emission",
+         "wavelength_nm": […], "illuminant": "D65", "observer": "cie1931|cie1964"}
   wavelength_nm  ascending. To 1 nm: by Sprague where six or more stand in equal steps (CIE 167),
                  else linearly; outside of them the nearest value counts (CIE 015:2018, 7.2.3)
   illuminant     of a reflectance (default D65): a name of `nacre library list --kind illuminants`,
                  blackbody:3200, daylight:5600, line:589.3 or line:435.8@1,546.1@0.8 (power after @)
   observer       default cie1931
+  rgb            linear, of the space of the answer: a spectrum that has this colour under D65 and
+                 cie1931, a light with kind emission; then also "wavelength_nm", "values",
+                 "error_dE00" of the round trip and, by jakob-hanika, "coefficients" by nm: the
+                 values are 1/2 + x/(2√(1 + x²)), x their polynomial, for a light times 2 max(rgb)
+                 times D65 of Y = 1
+  method         jakob-hanika (default) meets every colour of Rec.709 with values in [0, 1];
+                 smits is off by some hundredths
+  wavelength_nm  with rgb: where values are wanted, default 380, 390 … 780
 result  {"XYZ": […], "xy": […], "Lab": […], "rgb": […], "space": "…", "cct_K": …, "duv": …}
         emission is normalised with k = 1/∫ȳ dλ, reflectance with k = 1/∫Sȳ dλ; illuminants, whose
         tables are relative, to Y = 1. Lab and rgb of a reflectance are those of a perfect white
@@ -67,6 +77,8 @@ The white point of D50:
   echo '{"illuminant": "D50"}' | nacre eval spectrum
 Two lines of mercury:
   echo '{"illuminant": "line:435.8@1,546.1@0.8"}' | nacre eval spectrum
+A smooth reflectance for an orange:
+  echo '{"rgb": [0.8, 0.3, 0.02]}' | nacre eval spectrum
 In a space of an OpenColorIO config:
   nacre eval spectrum chips.json --config config.ocio --space ACEScg)";
 

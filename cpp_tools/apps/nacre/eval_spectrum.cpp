@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "eval.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/colour.h"
+#include "nacre/spectral/rgb_spectrum.h"
 #include "nacre/spectral/spectrum_library.h"
 
 namespace nacre::tool {
@@ -17,6 +20,7 @@ using spectral::Vec3;
 /// What all kinds of records come down to: XYZ, the same adapted to D65 for Lab and rgb.
 struct Colour {
     Vec3 xyz, xyz_d65, lab_white;
+    ordered_json spectrum = ordered_json::object();  ///< members that only some records answer with
 };
 
 Vec3 d65()
@@ -26,7 +30,7 @@ Vec3 d65()
 
 Colour emission_colour(const Vec3& xyz)
 {
-    return {xyz, xyz, d65()};
+    return {.xyz = xyz, .xyz_d65 = xyz, .lab_white = d65()};
 }
 
 Colour source_colour(const Illuminant& source, ObserverId observer)
@@ -44,7 +48,9 @@ Colour reflectance_colour(const spectral::Sampled& reflectance, const Illuminant
     perfect.fill(1.0);
     const Vec3 white = spectral::reflectance_to_xyz(perfect, illuminant, observer);
     const Vec3 xyz = spectral::reflectance_to_xyz(reflectance, illuminant, observer);
-    return {xyz, multiply(spectral::adaptation(how, white, d65()), xyz), white};
+    return {.xyz = xyz,
+            .xyz_d65 = multiply(spectral::adaptation(how, white, d65()), xyz),
+            .lab_white = white};
 }
 
 ObserverId read_observer(ObjectReader& reader)
@@ -165,11 +171,113 @@ Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, spectral::Ad
     return reflectance_colour(given->values, *illuminant, observer, how);
 }
 
-Colour read_colour(const json& record, spectral::Adaptation how)
+/// The spectrum that a colour stands for.
+struct RisenSpectrum {
+    spectral::Sampled values;
+    double error;  ///< ΔE00 of the round trip
+    std::optional<Vec3> coefficients;
+};
+
+RisenSpectrum reflectance_of(const Vec3& rgb, bool smits)
+{
+    if (smits) {
+        const spectral::Sampled values = spectral::smits_spectrum(rgb);
+        return {values, spectral::round_trip_error(rgb, values), std::nullopt};
+    }
+    const spectral::SigmoidSpectrum found = spectral::sigmoid_spectrum(rgb);
+    const spectral::Sampled values = found.on_grid();
+    return {values, spectral::round_trip_error(rgb, values), found.by_nanometre()};
+}
+
+/// A light: D65 of Y = 1 through a filter of the colour, which is kept at half strength so that
+/// even a bright saturated light gets a smooth one.
+RisenSpectrum emission_of(const Vec3& rgb, bool smits)
+{
+    const double largest = std::ranges::max(rgb);
+    const double scale = largest > 0.0 ? (smits ? 1.0 : 2.0) * largest : 1.0;
+    RisenSpectrum filter = reflectance_of({rgb[0] / scale, rgb[1] / scale, rgb[2] / scale}, smits);
+    const spectral::Sampled light = spectral::named_illuminant("D65").power;
+    const double white = spectral::emission_to_xyz(light, ObserverId::cie1931)[1];
+    for (std::size_t i = 0; i < filter.values.size(); ++i)
+        filter.values[i] *= scale * light[i] / white;
+    return filter;
+}
+
+/// `wavelength_nm` where the values are wanted.
+std::vector<double> read_wanted(ObjectReader& reader)
+{
+    if (reader.has("wavelength_nm"))
+        return reader.numbers("wavelength_nm", {spectral::kFirstNm, spectral::kLastNm})
+            .value_or(std::vector<double>{});
+    void(reader.optional("wavelength_nm"));
+    std::vector<double> wanted;
+    for (int nm = 380; nm <= 780; nm += 10) wanted.push_back(nm);
+    return wanted;
+}
+
+double read_linearly(const spectral::Sampled& values, double wavelength_nm)
+{
+    const double at = wavelength_nm - spectral::kFirstNm;
+    const auto i = std::min(static_cast<std::size_t>(at), values.size() - 2);
+    const double part = at - static_cast<double>(i);
+    return values[i] + part * (values[i + 1] - values[i]);
+}
+
+std::optional<Vec3> read_rgb(ObjectReader& reader, const ColourTarget& target)
+{
+    const auto numbers = reader.numbers("rgb", kAnyNumber);
+    if (!numbers) return std::nullopt;
+    if (numbers->size() != 3) {
+        reader.problem("rgb", fmt::format("must be 3 numbers (got {})", numbers->size()));
+        return std::nullopt;
+    }
+    const Vec3 given = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
+    const Vec3 xyz = multiply(linear_space(target).to_xyz_d65, given);
+    if (target.name == "lin_rec709_scene") return given;
+    return multiply(spectral::colour_space("lin_rec709_scene").from_xyz_d65, xyz);
+}
+
+ordered_json spectrum_json(const RisenSpectrum& risen, const std::vector<double>& wanted)
+{
+    ordered_json values = ordered_json::array();
+    for (const double nm : wanted) values.push_back(read_linearly(risen.values, nm));
+    ordered_json result = {{"wavelength_nm", wanted}, {"values", std::move(values)}};
+    if (risen.coefficients) result["coefficients"] = *risen.coefficients;
+    result["error_dE00"] = risen.error;
+    return result;
+}
+
+/// `rgb`, of the space that answers are in, and how a spectrum is found for it.
+Colour read_upsampled(ObjectReader& reader, DiagnosticList& problems, const ColourTarget& target,
+                      spectral::Adaptation how)
+{
+    const std::optional<Vec3> rgb = read_rgb(reader, target);
+    const std::vector<double> wanted = read_wanted(reader);
+    const bool smits = reader.optional("method") &&
+                       reader.choice("method", {"jakob-hanika", "smits"}).value_or("") == "smits";
+    const bool emission =
+        reader.optional("kind") &&
+        reader.choice("kind", {"emission", "reflectance"}).value_or("") == "emission";
+    const ObserverId observer = read_observer(reader);
+    const bool named = reader.optional("illuminant") != nullptr;
+    if (named && emission)
+        reader.problem("illuminant", "belongs to kind reflectance; an emission is its own light");
+    const auto illuminant = named ? read_illuminant(reader) : spectral::named_illuminant("D65");
+    reader.refuse_unknown_keys();
+    problems.throw_if_any();
+    const RisenSpectrum risen = emission ? emission_of(*rgb, smits) : reflectance_of(*rgb, smits);
+    Colour colour = emission ? emission_colour(spectral::emission_to_xyz(risen.values, observer))
+                             : reflectance_colour(risen.values, *illuminant, observer, how);
+    colour.spectrum = spectrum_json(risen, wanted);
+    return colour;
+}
+
+Colour read_colour(const json& record, const ColourTarget& target, spectral::Adaptation how)
 {
     DiagnosticList problems;
     ObjectReader reader(record, "", problems);
     problems.throw_if_any();
+    if (reader.has("rgb")) return read_upsampled(reader, problems, target, how);
     const bool sampled = reader.has("spectrum") || reader.has("values") ||
                          reader.has("wavelength_nm") || reader.has("kind");
     if (!sampled)
@@ -190,7 +298,7 @@ Vec3 into_gamut(const ColourTarget& target, const Vec3& rgb, spectral::GamutMapp
 ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
                                const ColourChoices& choices)
 {
-    const Colour colour = read_colour(record, choices.adaptation);
+    const Colour colour = read_colour(record, target, choices.adaptation);
     const auto& xyz = colour.xyz;
     ordered_json xy = nullptr, cct = nullptr, duv = nullptr;
     if (xyz[0] + xyz[1] + xyz[2] > 0.0) xy = spectral::xyz_to_xy(xyz);
@@ -200,13 +308,16 @@ ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
             duv = temperature->duv;
         }
     }
-    return {{"XYZ", xyz},
-            {"xy", xy},
-            {"Lab", spectral::xyz_to_lab(xyz, colour.lab_white)},
-            {"rgb", into_gamut(target, target.from_xyz_d65(colour.xyz_d65), choices.gamut)},
-            {"space", target.name},
-            {"cct_K", cct},
-            {"duv", duv}};
+    ordered_json result = {
+        {"XYZ", xyz},
+        {"xy", xy},
+        {"Lab", spectral::xyz_to_lab(xyz, colour.lab_white)},
+        {"rgb", into_gamut(target, target.from_xyz_d65(colour.xyz_d65), choices.gamut)},
+        {"space", target.name},
+        {"cct_K", cct},
+        {"duv", duv}};
+    result.update(colour.spectrum);
+    return result;
 }
 
 }  // namespace nacre::tool
