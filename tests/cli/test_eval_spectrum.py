@@ -386,3 +386,8 @@ def test_spectra_of_the_library_by_name(nacre):
 )
 def test_wrong_names_of_spectra(nacre, record, message):
     assert message in nacre.fails("eval", "spectrum", stdin=json.dumps([record]))
+
+
+def test_a_null_character_does_not_end_a_batch(nacre):
+    errors = nacre.fails("eval", "spectrum", stdin='[{"illuminant": "A"}]\n\0 and more')
+    assert "-:2: not valid JSON: a null character" in errors

@@ -44,6 +44,8 @@ private:
     {
         const char c = text_[at_];
         if (c == '\n') ++line_;
+        // The parser would take it for the end and pass over all that follows.
+        if (c == '\0') throw InputError({file_, line_, "", "not valid JSON: a null character"});
         if (in_string_) {
             if (c == '\\' && at_ + 1 < text_.size())
                 copy();

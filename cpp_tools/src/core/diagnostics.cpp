@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/core/diagnostics.h"
 
+#include "nacre/core/limits.h"
+
 namespace nacre {
 
 namespace {
@@ -41,6 +43,16 @@ InputError::InputError(Diagnostic diagnostic)
 void DiagnosticList::throw_if_any()
 {
     if (!diagnostics_.empty()) throw InputError(std::move(diagnostics_));
+}
+
+void DiagnosticList::throw_first_if_any()
+{
+    constexpr auto kMost = static_cast<std::size_t>(kMaxProblems);
+    if (diagnostics_.size() > kMost) {
+        diagnostics_.resize(kMost);
+        diagnostics_.back().message += "; there is more that is wrong";
+    }
+    throw_if_any();
 }
 
 }  // namespace nacre

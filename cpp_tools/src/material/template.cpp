@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "nacre/core/limits.h"
 #include "nacre/core/sha256.h"
 #include "read_kinds.h"
 #include "toml_section.h"
@@ -141,6 +142,9 @@ const ParameterSpec* MaterialTemplate::parameter(std::string_view parameter_name
 
 MaterialTemplate parse_template(std::string_view toml, std::string_view file)
 {
+    if (toml.size() > kMaxTextBytes)
+        throw InputError({std::string(file), 0, "",
+                          "must not be larger than " + std::to_string(kMaxTextBytes) + " bytes"});
     toml::table table;
     try {
         table = toml::parse(toml, file);
@@ -154,7 +158,7 @@ MaterialTemplate parse_template(std::string_view toml, std::string_view file)
     DiagnosticList problems;
     Section root(table, "", result.file, problems);
     read_template(root, result);
-    problems.throw_if_any();
+    problems.throw_first_if_any();
     return result;
 }
 

@@ -34,14 +34,6 @@ std::optional<SpectrumKind> kind_of(const std::string& text, const std::string& 
          .message = fmt::format("must be emission or reflectance (got '{}')", excerpt(text))});
 }
 
-/// One line of a comment; the reader would take a second one for another comment.
-std::string on_one_line(std::string text)
-{
-    std::ranges::replace_if(
-        text, [](char c) { return c == '\n' || c == '\r'; }, ' ');
-    return text;
-}
-
 }  // namespace
 
 std::vector<NamedSpectrum> read_csv_spectra(std::string_view text, std::string_view name)
@@ -55,6 +47,7 @@ std::vector<NamedSpectrum> read_csv_spectra(std::string_view text, std::string_v
     std::vector<NamedSpectrum> spectra;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         std::string column = table.names.empty() ? std::string() : table.names[i];
+        if (column == "value") column.clear();  // as the files of a library call it, no name
         const bool alone = table.columns.size() == 1;
         spectra.push_back({.key = {},
                            .name = alone && !read.comments["NAME"].empty() ? read.comments["NAME"]
@@ -91,7 +84,7 @@ std::string write_library_spectrum(const NamedSpectrum& spectrum)
 {
     std::string text;
     const auto add = [&text](std::string_view key, const std::string& value) {
-        if (!value.empty()) text += fmt::format("# {}: {}\n", key, on_one_line(value));
+        if (!value.empty()) text += fmt::format("# {}: {}\n", key, clean_text(value));
     };
     add("NAME", spectrum.name);
     if (spectrum.kind) add("KIND", std::string(spectrum_kind_name(*spectrum.kind)));

@@ -100,7 +100,7 @@ private:
         const std::size_t colon = comment.find(':');
         if (!result_.tables.empty() || colon == std::string_view::npos) return;
         std::string& value = result_.comments[std::string(trimmed(comment.substr(0, colon)))];
-        if (value.empty()) value = trimmed(comment.substr(colon + 1));
+        if (value.empty()) value = clean_text(comment.substr(colon + 1));
     }
 
     void start_table(const std::vector<std::string_view>& cells, bool names)
@@ -118,7 +118,8 @@ private:
         column_count_ = std::min(column_count_, kMaxSpectra);
         table.columns.resize(column_count_);
         if (names)
-            for (std::size_t i = 1; i <= column_count_; ++i) table.names.emplace_back(cells[i]);
+            for (std::size_t i = 1; i <= column_count_; ++i)
+                table.names.push_back(clean_text(cells[i]));
     }
 
     void read_row(const std::vector<std::string_view>& cells)
@@ -161,6 +162,7 @@ private:
 
     void add_wavelength(NumberTable& table, double nm, int line)
     {
+        table.lines.push_back(line);
         const double before = table.wavelengths_nm.empty() ? 0.0 : table.wavelengths_nm.back();
         if (!(nm > before) || !std::isfinite(nm))
             problems_.add(

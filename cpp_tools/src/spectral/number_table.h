@@ -18,6 +18,7 @@ namespace nacre::spectral {
 struct NumberTable {
     int line = 0;                    ///< of the names, or of the first row
     std::vector<std::string> names;  ///< of the columns after the first; empty where none are given
+    std::vector<int> lines;          ///< of the rows
     std::vector<double> wavelengths_nm;
     std::vector<std::vector<double>> columns;
 };

@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+
+#include "text_lines.h"
 
 namespace nacre::spectral {
 
@@ -32,6 +35,49 @@ std::optional<std::string> kind_problem(const Spectrum& samples, SpectrumKind ki
     if (lowest < 0.0) return fmt::format("an emission must be ≥ 0 (got {:g})", lowest);
     if (highest == 0.0) return "an emission must be > 0 somewhere";
     return std::nullopt;
+}
+
+SpectrumFormat spectrum_format(std::string_view text, std::string_view file)
+{
+    constexpr std::array<std::pair<std::string_view, SpectrumFormat>, 6> kExtensions = {{
+        {".csv", SpectrumFormat::csv},
+        {".spd", SpectrumFormat::spd},
+        {".spdx", SpectrumFormat::spdx},
+        {".cgats", SpectrumFormat::cgats},
+        {".ti3", SpectrumFormat::cgats},
+        {".sp", SpectrumFormat::cgats},
+    }};
+    for (const auto& [extension, format] : kExtensions)
+        if (file.ends_with(extension)) return format;
+    if (text.find("BEGIN_DATA_FORMAT") != std::string_view::npos) return SpectrumFormat::cgats;
+    TextLines lines(text);
+    while (const auto line = lines.next()) {
+        const std::string_view content = trimmed(*line);
+        if (content.empty() || content.front() == '#') continue;
+        if (content.front() == '<') return SpectrumFormat::spdx;
+        // Two numbers with nothing but space between them.
+        const auto words = split_words(content);
+        const bool separated = content.find_first_of(",;\t") != std::string_view::npos;
+        if (!separated && words.size() == 2 && parse_number(words.front()))
+            return SpectrumFormat::spd;
+        break;
+    }
+    return SpectrumFormat::csv;
+}
+
+std::vector<NamedSpectrum> read_spectra(std::string_view text, std::string_view file)
+{
+    switch (spectrum_format(text, file)) {
+        case SpectrumFormat::spd:
+            return read_spd(text, file);
+        case SpectrumFormat::spdx:
+            return read_spdx(text, file);
+        case SpectrumFormat::cgats:
+            return read_cgats(text, file);
+        case SpectrumFormat::csv:
+            break;
+    }
+    return read_csv_spectra(text, file);
 }
 
 }  // namespace nacre::spectral

@@ -11,6 +11,35 @@
 
 namespace nacre::spectral {
 
+namespace {
+
+/// Bytes of the UTF-8 character at the start of `text`; 0 where there is none (RFC 3629, table of
+/// section 4).
+std::size_t utf8_length(std::string_view text)
+{
+    const auto byte = [text](std::size_t i) {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    const auto within = [](unsigned value, unsigned low, unsigned high) {
+        return value >= low && value <= high;
+    };
+    const auto tail = [&](std::size_t i) { return within(byte(i), 0x80, 0xBF); };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    if (within(first, 0xC2, 0xDF)) return tail(1) ? 2 : 0;
+    if (within(first, 0xE0, 0xEF)) {
+        const unsigned low = first == 0xE0 ? 0xA0 : 0x80, high = first == 0xED ? 0x9F : 0xBF;
+        return within(byte(1), low, high) && tail(2) ? 3 : 0;
+    }
+    if (within(first, 0xF0, 0xF4)) {
+        const unsigned low = first == 0xF0 ? 0x90 : 0x80, high = first == 0xF4 ? 0x8F : 0xBF;
+        return within(byte(1), low, high) && tail(2) && tail(3) ? 4 : 0;
+    }
+    return 0;
+}
+
+}  // namespace
+
 TextLines::TextLines(std::string_view text) : rest_(text)
 {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -67,6 +96,23 @@ std::string excerpt(std::string_view text)
     std::ranges::replace_if(
         shown, [](char c) { return c < ' ' || c > '~'; }, '?');
     return text.size() > kMost ? shown + "…" : shown;
+}
+
+std::string clean_text(std::string_view text)
+{
+    std::string clean;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const auto first = static_cast<unsigned char>(text.front());
+        if (length == 0)
+            clean += '?';
+        else if (first < 0x20 || first == 0x7F)
+            clean += ' ';
+        else
+            clean += text.substr(0, length);
+        text.remove_prefix(std::max<std::size_t>(length, 1));
+    }
+    return std::string(trimmed(clean));
 }
 
 void FileProblems::add(int line, std::string field, std::string message)

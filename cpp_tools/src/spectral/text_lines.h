@@ -42,6 +42,9 @@ private:
 /// The start of what a user wrote, for a message: bytes that may be no UTF-8 become `?`.
 [[nodiscard]] std::string excerpt(std::string_view text);
 
+/// The same on one line and in UTF-8: control characters become spaces, other bytes `?`.
+[[nodiscard]] std::string clean_text(std::string_view text);
+
 /// What is wrong with one file; after kMaxProblems only that there is more.
 class FileProblems {
 public:

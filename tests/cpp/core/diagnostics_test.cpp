@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/core/diagnostics.h"
 
+#include "nacre/core/limits.h"
+
 #include "support/expect.h"
 
 namespace nacre {
@@ -40,6 +42,21 @@ TEST(InputError, ListsAllProblemsOneALine)
         ASSERT_EQ(error.diagnostics().size(), 2u);
         EXPECT_EQ(error.diagnostics()[1].line, 2);
         EXPECT_STREQ(error.what(), "a.toml:1: x: first\na.toml:2: y: second");
+    }
+}
+
+TEST(InputError, TellsTheFirstProblemsOfAFile)
+{
+    DiagnosticList list;
+    list.throw_first_if_any();  // nothing yet
+    for (int i = 1; i <= kMaxProblems + 1; ++i) list.add({"a.toml", i, "x", "is wrong"});
+    try {
+        list.throw_first_if_any();
+        FAIL() << "threw nothing";
+    } catch (const InputError& error) {
+        ASSERT_EQ(error.diagnostics().size(), static_cast<std::size_t>(kMaxProblems));
+        EXPECT_EQ(error.diagnostics().front().message, "is wrong");
+        EXPECT_EQ(error.diagnostics().back().message, "is wrong; there is more that is wrong");
     }
 }
 

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/material/template.h"
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "nacre/core/diagnostics.h"
+#include "nacre/core/limits.h"
 #include "nacre/core/resources.h"
+#include "support/expect.h"
 
 namespace nacre::material {
 namespace {
@@ -278,6 +279,22 @@ INSTANTIATE_TEST_SUITE_P(
                  "t.toml:3: material.name: must be one line of text"},
         BadInput{"empty_file", "", "schema: missing"}),
     [](const auto& input) { return std::string(input.param.name); });
+
+TEST(Limits, HoldForTemplates)
+{
+    EXPECT_INPUT_ERROR((void)parse_template(std::string(kMaxTextBytes + 1, '#'), "x.toml"),
+                       "x.toml: must not be larger than 16777216 bytes");
+    std::string wrong;
+    for (int i = 0; i < 100; ++i) wrong += "unknown_" + std::to_string(i) + " = 1\n";
+    const std::string message =
+        test::input_error_of([&] { (void)parse_template(wrong, "x.toml"); });
+    EXPECT_EQ(std::ranges::count(message, '\n'), kMaxProblems - 1);
+    EXPECT_TRUE(message.ends_with("; there is more that is wrong"));
+
+    std::string deep = "a = ";
+    for (int i = 0; i < 100'000; ++i) deep += "[";
+    EXPECT_INPUT_ERROR((void)parse_template(deep, "x.toml"), "exceeded maximum nested value depth of 256");
+}
 
 }  // namespace
 }  // namespace nacre::material

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] bool empty() const noexcept { return diagnostics_.empty(); }
     /// @throws InputError when anything was added.
     void throw_if_any();
+    /// The same for the problems of one file: the first kMaxProblems, and that there are more.
+    void throw_first_if_any();
 
 private:
     std::vector<Diagnostic> diagnostics_;

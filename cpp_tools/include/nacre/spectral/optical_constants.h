@@ -62,7 +62,16 @@ struct Medium {
 /// @throws InputError with line numbers.
 [[nodiscard]] Medium parse_refractiveindex_yaml(std::string_view text, std::string_view name);
 
-/// Built-in medium by key; `air` and `vacuum` are n = 1. Thread-safe; the reference stays valid.
+/// The YAML of a table in CSV as read_csv_spectra() has it, with columns `n` and perhaps `k`, or
+/// with a table of each as refractiveindex.info exports them.
+/// @param references  citation; empty: that of the file's comments
+/// @throws InputError with line numbers.
+[[nodiscard]] std::string refractiveindex_yaml_from_csv(std::string_view text,
+                                                        std::string_view name,
+                                                        std::string_view references);
+
+/// A medium that comes with Nacre or is the user's own, by key; `air` and `vacuum` are n = 1.
+/// Thread-safe; the reference stays valid.
 /// @throws InputError for an unknown key; the message names near matches.
 [[nodiscard]] const Medium& library_medium(std::string_view key);
 [[nodiscard]] std::vector<std::string> library_keys();

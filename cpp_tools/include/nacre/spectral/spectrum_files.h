@@ -48,6 +48,23 @@ struct NamedSpectrum {
 [[nodiscard]] std::vector<NamedSpectrum> read_csv_spectra(std::string_view text,
                                                           std::string_view file);
 
+/// `.spd` of Mitsuba and pbrt: a wavelength in nm and a value a line, `#` before comments.
+[[nodiscard]] std::vector<NamedSpectrum> read_spd(std::string_view text, std::string_view file);
+
+/// `.spdx`, IES TM-27-14: XML with one SpectralDistribution. Document types, and with them entities
+/// of a file's own, are refused.
+[[nodiscard]] std::vector<NamedSpectrum> read_spdx(std::string_view text, std::string_view file);
+
+/// CGATS text (ANSI CGATS.17, ISO 28178) and the `.sp` and `.ti3` of Argyll: a spectrum for each
+/// set of data that has fields such as SPECTRAL_NM380, SPECTRAL_PCT380, SPEC_380 or nm380.
+[[nodiscard]] std::vector<NamedSpectrum> read_cgats(std::string_view text, std::string_view file);
+
+enum class SpectrumFormat { csv, spd, spdx, cgats };
+
+/// By the extension of `file` (.csv, .spd, .spdx, .cgats, .ti3, .sp), else by how the text starts.
+[[nodiscard]] SpectrumFormat spectrum_format(std::string_view text, std::string_view file);
+[[nodiscard]] std::vector<NamedSpectrum> read_spectra(std::string_view text, std::string_view file);
+
 /// The same for one spectrum whose KIND is stated: the form of the files of a library.
 [[nodiscard]] NamedSpectrum read_library_spectrum(std::string_view text, std::string_view file);
 [[nodiscard]] std::string write_library_spectrum(const NamedSpectrum& spectrum);

@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <set>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "library.h"
+#include "nacre/core/diagnostics.h"
+#include "nacre/core/file_io.h"
+#include "nacre/spectral/optical_constants.h"
+#include "nacre/spectral/spectrum_files.h"
+#include "nacre/spectral/user_library.h"
+#include "output.h"
+
+namespace nacre::tool {
+namespace {
+
+using nlohmann::ordered_json;
+using spectral::EntryKind;
+using spectral::NamedSpectrum;
+using spectral::SpectrumKind;
+using spectral::UserEntry;
+
+struct ImportOptions {
+    std::vector<std::string> files;
+    std::string key, kind, citation, licence;
+    double scale = 1.0;
+    bool replace = false;
+};
+
+/// A name as one part of a key: what keys do not have becomes a hyphen.
+std::string key_part(const std::string& name)
+{
+    std::string part;
+    for (const char c : name) {
+        const bool good = spectral::is_library_key(std::string("a") + c) && c != '/';
+        if (good)
+            part += c;
+        else if (!part.empty() && part.back() != '-')
+            part += '-';
+    }
+    while (!part.empty() && part.back() == '-') part.pop_back();
+    part.erase(0, std::min(part.find_first_not_of(".-"), part.size()));
+    return part;
+}
+
+/// `--as KEY` is the key of one file, or the folder of several; without it the folder is `user`.
+std::string key_of_file(const ImportOptions& options, const std::string& file)
+{
+    if (!options.key.empty() && options.files.size() == 1) return options.key;
+    const std::string part = key_part(std::filesystem::path(file).stem().string());
+    return fmt::format("{}/{}", options.key.empty() ? "user" : options.key,
+                       part.empty() ? "entry" : part);
+}
+
+UserEntry read_medium(const ImportOptions& options, const std::string& file, std::string text)
+{
+    const std::string extension = std::filesystem::path(file).extension().string();
+    if (extension == ".yml" || extension == ".yaml") {
+        const auto medium = spectral::parse_refractiveindex_yaml(text, file);
+        if (!options.citation.empty()) {
+            if (!medium.references.empty())
+                throw InputError({file, 0, "REFERENCES", "is stated: --citation would replace it"});
+            text += fmt::format("\nREFERENCES: {}\n", nlohmann::json(options.citation).dump());
+        }
+    } else {
+        text = spectral::refractiveindex_yaml_from_csv(text, file, options.citation);
+    }
+    (void)spectral::parse_refractiveindex_yaml(text, file);  // what is saved can be read
+    return {EntryKind::medium, key_of_file(options, file), std::move(text)};
+}
+
+NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
+                        const std::string& file)
+{
+    if (!options.kind.empty())
+        spectrum.kind =
+            options.kind == "emission" ? SpectrumKind::emission : SpectrumKind::reflectance;
+    if (!spectrum.kind)
+        throw InputError(
+            {file, 0, "--kind", "must be emission or reflectance: the file does not tell"});
+    if (!options.citation.empty()) spectrum.references = options.citation;
+    if (!options.licence.empty()) spectrum.licence = options.licence;
+    std::vector<double> values = spectrum.samples.values();
+    for (double& value : values) value *= options.scale;
+    spectrum.samples = {spectrum.samples.wavelengths_nm(), std::move(values)};
+    if (auto problem = spectral::kind_problem(spectrum.samples, *spectrum.kind))
+        throw InputError({file, 0, spectrum.name,
+                          *problem + "; --scale multiplies the values, by 0.01 for per cent"});
+    return spectrum;
+}
+
+std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::string& file,
+                                    const std::string& text)
+{
+    std::vector<NamedSpectrum> spectra = spectral::read_spectra(text, file);
+    const std::string folder = key_of_file(options, file);
+    std::vector<UserEntry> entries;
+    std::set<std::string> parts;
+    DiagnosticList problems;
+    for (NamedSpectrum& spectrum : spectra) {
+        std::string key = folder;
+        if (spectra.size() > 1) {
+            std::string part = key_part(spectrum.name);
+            // Patches without a name, or of one name: by their number.
+            if (part.empty() || !parts.insert(part).second)
+                part = fmt::format("{}{}{}", part, part.empty() ? "" : "-", entries.size() + 1);
+            key += "/" + part;
+        }
+        try {
+            const NamedSpectrum whole = completed(std::move(spectrum), options, file);
+            entries.push_back({EntryKind::spectrum, key, write_library_spectrum(whole)});
+        } catch (const InputError& error) {
+            for (Diagnostic diagnostic : error.diagnostics()) {
+                diagnostic.file = file;
+                problems.add(std::move(diagnostic));
+            }
+        }
+    }
+    problems.throw_if_any();
+    return entries;
+}
+
+std::vector<UserEntry> read_file(const ImportOptions& options, const std::string& file)
+{
+    std::string text = read_text(file);
+    const std::string extension = std::filesystem::path(file).extension().string();
+    const bool yaml = extension == ".yml" || extension == ".yaml";
+    if (yaml && !options.kind.empty() && options.kind != "medium")
+        throw InputError({file, 0, "--kind", "must be medium for optical constants"});
+    if (yaml || options.kind == "medium") return {read_medium(options, file, std::move(text))};
+    return read_spectra(options, file, text);
+}
+
+int import_files(const Session& session, const ImportOptions& options)
+{
+    if (!std::isfinite(options.scale) || !(options.scale > 0.0))
+        throw InputError(
+            {{}, 0, "--scale", fmt::format("must be finite and > 0 (got {:g})", options.scale)});
+    std::vector<UserEntry> entries;
+    DiagnosticList problems;
+    for (const std::string& file : options.files) {
+        try {
+            for (UserEntry& entry : read_file(options, file)) entries.push_back(std::move(entry));
+        } catch (const InputError& error) {
+            for (const Diagnostic& diagnostic : error.diagnostics()) problems.add(diagnostic);
+        }
+    }
+    problems.throw_if_any();
+    const auto files = spectral::save_user_entries(entries, options.replace);
+    ordered_json list = ordered_json::array();
+    std::string text;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+        const bool medium = entries[i].kind == EntryKind::medium;
+        list.push_back({{"key", entries[i].key},
+                        {"kind", medium ? "medium" : "spectrum"},
+                        {"file", files[i].string()}});
+        text += fmt::format("{:<28} {}\n", entries[i].key, files[i].string());
+    }
+    write_text_output("", session.json ? list.dump(2) + "\n" : text);
+    return kExitOk;
+}
+
+}  // namespace
+
+void add_library_import(CLI::App& library, Session& session)
+{
+    const auto options = std::make_shared<ImportOptions>();
+    CLI::App* import =
+        library.add_subcommand("import", "optical constants and spectra into your own library");
+    import->fallthrough()->footer(
+        "\n  nacre library import my_glass.yml --as glass/mine\n"
+        "  nacre library import lamp.spdx --citation \"data sheet of the maker\"\n"
+        "  nacre library import chart.cgats --kind reflectance --as chart\n"
+        "  nacre library import film.csv --kind medium");
+    import
+        ->add_option("FILE", options->files,
+                     "refractiveindex.info YAML (.yml), .csv, .spd, IES TM-27-14 (.spdx), CGATS")
+        ->required();
+    import->add_option(
+        "--as", options->key,
+        "key of the entry, or folder of several; by default user/<name of the file>");
+    import->add_option("--kind", options->kind, "what the values are, where the file does not tell")
+        ->check(CLI::IsMember({"medium", "reflectance", "emission"}));
+    import->add_option("--citation", options->citation, "where the data are from");
+    import->add_option("--licence", options->licence, "on what terms they may be used");
+    import->add_option("--scale", options->scale, "multiplies the values of spectra")
+        ->capture_default_str();
+    import->add_flag("--replace", options->replace, "take the place of your own entry of that key");
+    import->callback([&session, options] {
+        session.run = [&session, options] { return import_files(session, *options);
+};
+}  // namespace nacre::tool
+);
+}
+
+}  // namespace nacre::tool

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "nacre/core/limits.h"
+#include "nacre/spectral/spectrum_files.h"
+#include "text_lines.h"
+
+namespace nacre::spectral {
+
+namespace {
+
+struct Word {
+    std::string_view text;
+    int line;
+    bool first;  ///< of its line
+};
+
+/// Words of a CGATS file: between spaces or quotes, comments left out.
+class Words {
+public:
+    explicit Words(std::string_view text) : lines_(text) {}
+
+    std::optional<Word> next()
+    {
+        bool first = false;
+        for (;;) {
+            const std::size_t start = rest_.find_first_not_of(" \t\r");
+            if (start != std::string_view::npos && rest_[start] != '#') {
+                rest_.remove_prefix(start);
+                return Word{take(), lines_.number(), first};
+            }
+            const auto line = lines_.next();
+            if (!line) return std::nullopt;
+            rest_ = *line;
+            first = true;
+        }
+    }
+
+private:
+    std::string_view take()
+    {
+        const bool quoted = rest_.front() == '"';
+        if (quoted) rest_.remove_prefix(1);
+        const std::size_t length =
+            std::min(rest_.find_first_of(quoted ? "\"" : " \t\r"), rest_.size());
+        const std::string_view word = rest_.substr(0, length);
+        rest_.remove_prefix(std::min(length + (quoted ? 1 : 0), rest_.size()));
+        return word;
+    }
+
+    TextLines lines_;
+    std::string_view rest_;
+};
+
+bool same_letters(std::string_view a, std::string_view b)
+{
+    const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; };
+    return std::ranges::equal(a, b, {}, upper, upper);
+}
+
+/// A field that holds the value at a wavelength.
+struct SpectralField {
+    std::size_t column;
+    double nm, scale;
+};
+
+std::optional<SpectralField> spectral_field(std::string_view name, std::size_t column)
+{
+    struct Prefix {
+        std::string_view text;
+        double scale;
+    };
+    // The longer ones first: SPECTRAL_ is the start of three others.
+    constexpr std::array<Prefix, 6> kPrefixes = {{{"SPECTRAL_NM", 1.0},
+                                                  {"SPECTRAL_PCT", 0.01},
+                                                  {"SPECTRAL_DEC", 1.0},
+                                                  {"SPECTRAL_", 1.0},
+                                                  {"SPEC_", 1.0},
+                                                  {"NM", 1.0}}};
+    for (const auto& [prefix, scale] : kPrefixes) {
+        if (!same_letters(name.substr(0, prefix.size()), prefix)) continue;
+        std::string_view rest = name.substr(prefix.size());
+        if (rest.starts_with('_')) rest.remove_prefix(1);
+        const auto nm = parse_number(rest);
+        if (nm && std::isfinite(*nm) && *nm > 0.0) return SpectralField{column, *nm, scale};
+    }
+    return std::nullopt;
+}
+
+class CgatsReader {
+public:
+    CgatsReader(std::string_view text, const std::string& file) : words_(text), problems_(file) {}
+
+    std::vector<NamedSpectrum> read()
+    {
+        while (const auto word = words_.next()) {
+            if (word->text == "BEGIN_DATA_FORMAT")
+                read_fields(word->line);
+            else if (word->text == "BEGIN_DATA")
+                read_data(word->line);
+            else if (word->first)
+                read_keyword(word->text);
+        }
+        if (spectra_.empty() && problems_.empty())
+            problems_.add(0, "BEGIN_DATA", "must have sets of data");
+        problems_.throw_if_any();
+        return std::move(spectra_);
+    }
+
+private:
+    /// Keywords that say where the data are from; the next word is the value.
+    void read_keyword(std::string_view keyword)
+    {
+        for (const char* known : {"ORIGINATOR", "DESCRIPTOR", "INSTRUMENTATION", "CREATED",
+                                  "MEASUREMENT_SOURCE", "SPECTRAL_NORM", "MEAS_TYPE"})
+            if (keyword == known)
+                if (const auto value = words_.next()) header_.try_emplace(known, value->text);
+    }
+
+    void read_fields(int line)
+    {
+        columns_ = 0;
+        name_column_.reset();
+        fields_.clear();
+        // Argyll scales its values so that this is 1.
+        double norm = parse_number(header("SPECTRAL_NORM")).value_or(1.0);
+        if (!(norm > 0.0) || !std::isfinite(norm)) {
+            problems_.add(line, "SPECTRAL_NORM", "must be finite and > 0");
+            norm = 1.0;
+        }
+        while (const auto word = words_.next()) {
+            if (word->text == "END_DATA_FORMAT") return check_fields(line);
+            if (columns_ == kMaxSamples) {
+                problems_.add(line, "BEGIN_DATA_FORMAT",
+                              fmt::format("must have at most {} fields", kMaxSamples));
+                return;
+            }
+            if (auto field = spectral_field(word->text, columns_)) {
+                field->scale /= norm;
+                fields_.push_back(*field);
+            } else if (word->text == "SAMPLE_NAME" ||
+                       (word->text == "SAMPLE_ID" && !name_column_)) {
+                name_column_ = columns_;
+            }
+            ++columns_;
+        }
+        problems_.add(line, "BEGIN_DATA_FORMAT", "must end with END_DATA_FORMAT");
+    }
+
+    void check_fields(int line)
+    {
+        std::ranges::sort(fields_, {}, &SpectralField::nm);
+        const auto same = std::ranges::adjacent_find(fields_, {}, &SpectralField::nm);
+        if (fields_.size() < 2)
+            problems_.add(line, "BEGIN_DATA_FORMAT",
+                          "must have two or more fields such as SPECTRAL_NM380");
+        else if (same != fields_.end())
+            problems_.add(line, "BEGIN_DATA_FORMAT",
+                          fmt::format("must have {:g} nm once only", same->nm));
+    }
+
+    void read_data(int line)
+    {
+        if (columns_ == 0) problems_.add(line, "BEGIN_DATA", "must come after BEGIN_DATA_FORMAT");
+        std::vector<Word> row;
+        while (const auto word = words_.next()) {
+            if (word->text == "END_DATA") {
+                if (!row.empty())
+                    problems_.add(row.front().line, {},
+                                  fmt::format("must have {} words as there are fields (got {})",
+                                              columns_, row.size()));
+                return;
+            }
+            // What came before is wrong already: only the end is of interest.
+            if (!problems_.empty() && (columns_ == 0 || fields_.size() < 2)) continue;
+            row.push_back(*word);
+            if (row.size() < columns_) continue;
+            add_spectrum(row);
+            row.clear();
+        }
+        problems_.add(line, "BEGIN_DATA", "must end with END_DATA");
+    }
+
+    void add_spectrum(const std::vector<Word>& row)
+    {
+        std::vector<double> nm, values;
+        for (const SpectralField& field : fields_) {
+            const Word& word = row[field.column];
+            const auto value = parse_number(word.text);
+            if (!value || !std::isfinite(*value))
+                problems_.add(
+                    word.line, fmt::format("{:g} nm", field.nm),
+                    fmt::format("must be a finite number (got '{}')", excerpt(word.text)));
+            nm.push_back(field.nm);
+            values.push_back(value.value_or(0.0) * field.scale);
+        }
+        if (spectra_.size() == kMaxSpectra)
+            problems_.add(row.front().line, {},
+                          fmt::format("must have at most {} sets of data", kMaxSpectra));
+        if (!problems_.empty()) return;
+        const bool emission = header("MEAS_TYPE") == "EMISSION" || header("MEAS_TYPE") == "AMBIENT";
+        spectra_.push_back(
+            {.key = {},
+             .name = clean_text(name_column_ ? row[*name_column_].text : header("DESCRIPTOR")),
+             .references = references(),
+             .licence = {},
+             .comments = clean_text(header("DESCRIPTOR")),
+             .tags = {},
+             .kind = emission ? SpectrumKind::emission : SpectrumKind::reflectance,
+             .samples = {std::move(nm), std::move(values)}});
+    }
+
+    [[nodiscard]] std::string_view header(std::string_view keyword) const
+    {
+        const auto found = header_.find(keyword);
+        return found == header_.end() ? std::string_view() : found->second;
+    }
+
+    [[nodiscard]] std::string references() const
+    {
+        std::string text;
+        for (const char* part : {"ORIGINATOR", "INSTRUMENTATION", "MEASUREMENT_SOURCE", "CREATED"})
+            if (const auto value = header(part); !value.empty())
+                text += fmt::format("{}{}", text.empty() ? "" : ", ", value);
+        return clean_text(text);
+    }
+
+    Words words_;
+    FileProblems problems_;
+    std::map<std::string_view, std::string_view, std::less<>> header_;
+    std::size_t columns_ = 0;
+    std::optional<std::size_t> name_column_;
+    std::vector<SpectralField> fields_;
+    std::vector<NamedSpectrum> spectra_;
+};
+
+}  // namespace
+
+std::vector<NamedSpectrum> read_cgats(std::string_view text, std::string_view name)
+{
+    const std::string file(name);
+    check_size(text, file);
+    return CgatsReader(text, file).read();
+}
+
+}  // namespace nacre::spectral
