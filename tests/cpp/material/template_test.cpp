@@ -293,7 +293,8 @@ TEST(Limits, HoldForTemplates)
 
     std::string deep = "a = ";
     for (int i = 0; i < 100'000; ++i) deep += "[";
-    EXPECT_INPUT_ERROR((void)parse_template(deep, "x.toml"), "exceeded maximum nested value depth of 256");
+    EXPECT_INPUT_ERROR((void)parse_template(deep, "x.toml"),
+                       "exceeded maximum nested value depth of 256");
 }
 
 }  // namespace
