@@ -101,22 +101,6 @@ void scale(Lanes& lanes, double factor)
     for (double& value : lanes) value *= factor;
 }
 
-/// The stack with its variation set to `value`.
-optics::LaneStack varied(const optics::LaneStack& stack, const SpectralBlocks& spectral,
-                         const Lanes& inverse_wavelength, double value)
-{
-    optics::LaneStack result = stack;
-    if (!spectral.variation) return result;
-    if (const auto layer = spectral.variation->layer) {
-        result.layers[*layer].waves = inverse_wavelength;
-        scale(result.layers[*layer].waves, value);
-        return result;
-    }
-    for (std::size_t j = 0; j < result.layers.size(); ++j)
-        if (spectral.coherent[j]) scale(result.layers[j].waves, value);
-    return result;
-}
-
 }  // namespace
 
 SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(request.variation)
@@ -128,18 +112,17 @@ SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(requ
 
 Column::Column(const SpectralBlocks& spectral) : spectral_(&spectral)
 {
-    const bool coherent = all_coherent(spectral);
-    const bool folds = coherent && spectral.variation && spectral.variation->layer;
+    const auto varying = spectral.variation ? spectral.variation->layer : std::nullopt;
     for (const SpectralBlocks::Block& block : spectral.blocks) {
         optics::LaneStack stack = block.stack;
         stack.cos_0.fill(1.0);
-        if (folds)
-            blocks_.emplace_back(std::in_place_type<optics::PhaseMap>, stack,
-                                 *spectral.variation->layer);
-        else if (coherent)
-            blocks_.emplace_back(std::in_place_type<optics::ScaledStack>, stack);
+        if (!all_coherent(spectral))
+            blocks_.emplace_back(std::in_place_type<optics::MixedStack>, stack, spectral.coherent,
+                                 varying);
+        else if (varying)
+            blocks_.emplace_back(std::in_place_type<optics::PhaseMap>, stack, *varying);
         else
-            blocks_.emplace_back(std::move(stack));
+            blocks_.emplace_back(std::in_place_type<optics::ScaledStack>, stack);
     }
 }
 
@@ -147,41 +130,32 @@ Column& Column::turn_to(double cos_theta)
 {
     Lanes cos_0;
     cos_0.fill(std::max(cos_theta, kLeastCosine));
-    for (auto& block : blocks_) {
-        if (auto* stack = std::get_if<optics::LaneStack>(&block))
-            stack->cos_0 = cos_0;
-        else if (auto* map = std::get_if<optics::PhaseMap>(&block))
-            map->turn_to(cos_0);
-        else
-            std::get<optics::ScaledStack>(block).turn_to(cos_0);
-    }
+    for (auto& block : blocks_) std::visit([&](auto& stack) { stack.turn_to(cos_0); }, block);
     return *this;
 }
 
 void Column::rows(std::size_t b, double first, double step, std::span<Lanes> R,
                   std::span<Lanes> T) const
 {
-    const Lanes& inverse_wavelength = spectral_->blocks[b].inverse_wavelength;
-    if (const auto* map = std::get_if<optics::PhaseMap>(&blocks_[b])) {
-        Lanes start = inverse_wavelength, stride = inverse_wavelength;
+    const auto& block = blocks_[b];
+    if (spectral_->variation && spectral_->variation->layer) {
+        Lanes start = spectral_->blocks[b].inverse_wavelength, stride = start;
         scale(start, first);
         scale(stride, step);
-        map->march(start, stride, R, T);
-        return;
-    }
-    if (const auto* scaled = std::get_if<optics::ScaledStack>(&blocks_[b])) {
-        if (spectral_->variation)
-            scaled->march(first, step, R, T);
+        if (const auto* map = std::get_if<optics::PhaseMap>(&block))
+            map->march(start, stride, R, T);
         else
-            scaled->march(1.0, 0.0, R, T);
+            std::get<optics::MixedStack>(block).march(start, stride, R, T);
         return;
     }
-    const auto& stack = std::get<optics::LaneStack>(blocks_[b]);
-    for (std::size_t row = 0; row < R.size(); ++row) {
-        const double value = first + static_cast<double>(row) * step;
-        mixed_batch(varied(stack, *spectral_, inverse_wavelength, value), spectral_->coherent,
-                    R[row], T[row]);
+    if (!spectral_->variation) {
+        first = 1.0;
+        step = 0.0;
     }
+    if (const auto* scaled = std::get_if<optics::ScaledStack>(&block))
+        scaled->march(first, step, R, T);
+    else
+        std::get<optics::MixedStack>(block).march(first, step, R, T);
 }
 
 void Column::evaluate(double first, double step, std::span<FilmColour> out) const

@@ -44,9 +44,8 @@ public:
     void evaluate(double first, double step, std::span<FilmColour> out) const;
 
 private:
-    /// Folded around the varying layer, or prepared for a factor on all; the plain stack where some
-    /// layers are incoherent.
-    std::vector<std::variant<optics::PhaseMap, optics::ScaledStack, optics::LaneStack>> blocks_;
+    /// Folded around the varying layer, prepared for a factor on all, or for incoherent layers.
+    std::vector<std::variant<optics::PhaseMap, optics::ScaledStack, optics::MixedStack>> blocks_;
     const SpectralBlocks* spectral_;
 
     void rows(std::size_t block, double first, double step, std::span<optics::Lanes> R,

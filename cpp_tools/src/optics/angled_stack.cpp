@@ -100,6 +100,12 @@ void AngledStack::find_trips(std::vector<LaneTrip>& trips, double factor) const
         find_trip(trips[p], roots_[passages_[p].medium], passages_[p].waves, factor);
 }
 
+void AngledStack::find_trip_of(std::size_t layer, std::vector<LaneTrip>& trips,
+                               const Lanes& waves) const
+{
+    find_trip(trips[passage_of_[layer]], roots_[medium_of_[layer + 1]], waves, 1.0);
+}
+
 std::vector<Crossing> AngledStack::crossings(const std::vector<LaneTrip>& trips, std::size_t first,
                                              std::size_t last) const
 {

@@ -20,6 +20,8 @@ public:
     /// Passages of the layers at `factor` times their thickness; the last one is through
     /// nothing.
     void find_trips(std::vector<LaneTrip>& trips, double factor) const;
+    /// The passage of one layer, which shares it with no other, at another thickness.
+    void find_trip_of(std::size_t layer, std::vector<LaneTrip>& trips, const Lanes& waves) const;
     /// Interfaces first … last − 1, counted from the ambient's; above interface j > `first` lies
     /// layer j − 1. What lies above the first is not passed through.
     [[nodiscard]] std::vector<Crossing> crossings(const std::vector<LaneTrip>& trips,

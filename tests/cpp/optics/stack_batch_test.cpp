@@ -182,7 +182,7 @@ TEST(StackBatch, LanesDoNotSeeEachOther)
     }
 }
 
-TEST(StackBatch, MixedCoherenceAgrees)
+TEST(MixedStack, AnyCoherenceAgrees)
 {
     Random random(4);
     for (std::size_t layers = 1; layers <= 6; ++layers) {
@@ -199,7 +199,7 @@ TEST(StackBatch, MixedCoherenceAgrees)
                 }
             }
             Lanes R, T;
-            mixed_batch(pack(lanes), coherent, R, T);
+            MixedStack(pack(lanes), coherent, std::nullopt).march(1.0, 0.0, {&R, 1}, {&T, 1});
             for (std::size_t i = 0; i < kLanes; ++i) {
                 const auto power =
                     stack_power_unpolarised(lanes[i].stack, lanes[i].cosine, lanes[i].nm);
@@ -286,6 +286,71 @@ TEST(ScaledStack, StartsAtTheBareSubstrate)
     ScaledStack(pack(lanes)).march(0.0, 1.0, R, T);
     expect_rows(lanes, R, T, 1e-14,
                 [](FilmStack& stack, std::size_t, std::size_t) { stack.layers.clear(); });
+}
+
+/// Coating, pane, coating of two layers, pane, coating; panes are clear and thick.
+std::vector<Lane> coated_panes(Random& random, std::vector<bool>& coherent)
+{
+    coherent = {true, false, true, true, false, true};
+    std::vector<Lane> lanes = random.lanes(coherent.size(), 200.0);
+    for (Lane& lane : lanes)
+        for (std::size_t j = 0; j < coherent.size(); ++j)
+            if (!coherent[j])
+                lane.stack.layers[j] = {{random(1.2, 2.8), random(0.0, 1e-6)}, 1e6, false};
+    return lanes;
+}
+
+TEST(MixedStack, MarchesOverAFactorOnCoherentThicknesses)
+{
+    Random random(9);
+    constexpr double kFirst = 0.5, kStep = 0.1;
+    std::vector<bool> coherent;
+    const std::vector<Lane> lanes = coated_panes(random, coherent);
+    std::vector<Lanes> R(12), T(12);
+    MixedStack(pack(lanes), coherent, std::nullopt).march(kFirst, kStep, R, T);
+    expect_rows(lanes, R, T, 1e-12, [](FilmStack& stack, std::size_t, std::size_t row) {
+        for (Layer& layer : stack.layers)
+            if (layer.coherent) layer.thickness_nm *= kFirst + kStep * static_cast<double>(row);
+    });
+}
+
+// Also where another layer has the same medium and the thickness that the varying one came with.
+TEST(MixedStack, MarchesOverTheThicknessOfOneLayer)
+{
+    Random random(10);
+    constexpr double kFirst = 10.0, kStep = 12.5;  // nm
+    std::vector<bool> coherent;
+    std::vector<Lane> lanes = coated_panes(random, coherent);
+    for (Lane& lane : lanes) lane.stack.layers[3] = lane.stack.layers[2];
+    for (const std::size_t varying : {0, 2, 3, 5}) {
+        Lanes first, step;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            first[i] = kFirst / lanes[i].nm;
+            step[i] = kStep / lanes[i].nm;
+        }
+        std::vector<Lanes> R(12), T(12);
+        MixedStack(pack(lanes), coherent, varying).march(first, step, R, T);
+        expect_rows(lanes, R, T, 1e-12, [&](FilmStack& stack, std::size_t, std::size_t row) {
+            stack.layers[varying].thickness_nm = kFirst + kStep * static_cast<double>(row);
+        });
+    }
+}
+
+TEST(MixedStack, TurnsLikeANewOne)
+{
+    Random random(11);
+    std::vector<bool> coherent;
+    const std::vector<Lane> lanes = coated_panes(random, coherent);
+    const LaneStack stack = pack(lanes);
+    LaneStack head_on = stack;
+    head_on.cos_0.fill(1.0);
+    MixedStack turned(head_on, coherent, std::nullopt);
+    turned.turn_to(stack.cos_0);
+    std::vector<Lanes> R(3), T(3), other_R(3), other_T(3);
+    turned.march(0.7, 0.3, R, T);
+    MixedStack(stack, coherent, std::nullopt).march(0.7, 0.3, other_R, other_T);
+    EXPECT_EQ(R, other_R);
+    EXPECT_EQ(T, other_T);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -89,10 +90,6 @@ private:
 void stack_batch(const LaneStack& stack, BatchPower& power);
 void stack_batch(const LaneStack& stack, BatchPower& power, BatchAmplitudes& amplitudes);
 
-/// Mean of s and p of a stack in which some layers are incoherent, as `stack_power`.
-/// @pre coherent.size() == stack.layers.size()
-void mixed_batch(const LaneStack& stack, const std::vector<bool>& coherent, Lanes& R, Lanes& T);
-
 /// Reflectance and transmittance as a function of the thickness of one layer only: everything
 /// above and below it is folded into a map of its phase, once. Per lane and polarisation, with
 /// E = e^{2iδ} = e·e^{iφ} of that layer, r = (a + bE)/(c + dE); stored are the real coefficients of
@@ -148,6 +145,33 @@ public:
 
 private:
     std::unique_ptr<detail::AngledStack> stack_;
+};
+
+/// Stacks in which some layers are incoherent, as a function of the thickness of one coherent layer
+/// or of a factor on all coherent ones; intensities are added as `stack_power` does.
+class MixedStack {
+public:
+    /// At the angle of the stack.
+    /// @param varying  coherent layer whose thickness is free; its `waves` are not read
+    /// @pre coherent.size() == stack.layers.size()
+    MixedStack(const LaneStack& stack, const std::vector<bool>& coherent,
+               std::optional<std::size_t> varying);
+    MixedStack(MixedStack&&) noexcept;
+    MixedStack& operator=(MixedStack&&) noexcept;
+    MixedStack(const MixedStack&) = delete;
+    MixedStack& operator=(const MixedStack&) = delete;
+    ~MixedStack();
+
+    void turn_to(const Lanes& cos_0);
+
+    /// Mean of s and p at the factors first, first + step, … @pre no layer varies alone
+    void march(double first, double step, std::span<Lanes> R, std::span<Lanes> T) const;
+    /// The same at thicknesses over wavelength of the varying layer.
+    void march(const Lanes& first, const Lanes& step, std::span<Lanes> R, std::span<Lanes> T) const;
+
+private:
+    struct Work;
+    std::unique_ptr<Work> work_;
 };
 
 }  // namespace nacre::optics
