@@ -207,7 +207,11 @@ def test_film_lut(name):
 
 COLOURS = {
     "kind": ({"kind": "light"}, "kind: must be 'reflectance' or 'emission' (got 'light')"),
-    "lengths": ({"values": [1, 1, 1]}, "values: must have shape (2,) (got (3,))"),
+    "lengths": ({"values": [1, 1, 1]}, "values: must have 2 samples on the last axis (got shape"),
+    "item": ({"values": [[1, 1], [1, nan]]}, "(item 1)"),
+    "adaptation": ({"adaptation": "X"}, "bradford, cat16, none"),
+    "gamut": ({"gamut": "X"}, "keep, clip, desaturate, scale"),
+    "gamut-xyz": ({"gamut": "clip", "space": "xyz_d65"}, "gamut: must be keep in a space"),
     "two-axes": ({"wavelength_nm": [[360, 830]]}, "wavelength_nm: must have one axis (got 2)"),
     "descending": ({"wavelength_nm": [830, 360]}, "wavelength_nm"),
     "outside": ({"wavelength_nm": [100, 200]}, "360"),
@@ -225,6 +229,26 @@ def test_spectrum_to_colour(name):
     change, message = COLOURS[name]
     with pytest.raises(nacre.NacreError) as caught:
         nacre.spectrum_to_colour(**{"wavelength_nm": [360, 830], "values": [1, 1], **change})
+    assert message in str(caught.value)
+
+
+RGBS = {
+    "kind": ({"kind": "light"}, "kind: must be 'emission' or 'reflectance' (got 'light')"),
+    "channels": ({"rgb": [0.5, 0.5]}, "rgb: must have 3 channels on the last axis"),
+    "text": ({"rgb": "red"}, "rgb: must be real numbers"),
+    "nan": ({"rgb": [nan, 0, 0]}, "finite"),
+    "too-bright": ({"rgb": [[0.5] * 3, [2] * 3]}, "(item 1)"),
+    "smits": ({"rgb": [-0.1, 0, 0], "method": "smits"}, "must be in [0, 1]"),
+    "method": ({"method": "X"}, "method: must be jakob-hanika or smits"),
+    "space": ({"space": "xyz_d65"}, "space: must be an RGB space"),
+}
+
+
+@pytest.mark.parametrize("name", RGBS)
+def test_rgb_to_spectrum(name):
+    change, message = RGBS[name]
+    with pytest.raises(nacre.NacreError) as caught:
+        nacre.rgb_to_spectrum(**{"rgb": [0.2, 0.3, 0.4], **change})
     assert message in str(caught.value)
 
 
@@ -261,7 +285,7 @@ def test_structures_have_the_layout_of_the_header():
     """What ctypes declares is what `capi.h` declares: sizes on a 64-bit system."""
     sizes = {
         "GridArray": 16,
-        "Colour": 72,
+        "ColourOptions": 48,
         "Grating": 112,
         "TableInfo": 104,
         "Film": 104,

@@ -118,3 +118,85 @@ def test_samples_outside_hold_the_nearest():
     np.testing.assert_allclose(
         inner.XYZ, nacre.spectrum_to_colour(GRID, values, "emission").XYZ, rtol=0, atol=1e-14
     )
+
+
+def test_spectra_of_an_array_are_those_one_by_one():
+    values = RANDOM.random((4, 3, 471))
+    together = nacre.spectrum_to_colour(GRID, values, illuminant="A")
+    assert together.XYZ.shape == together.Lab.shape == together.rgb.shape == (4, 3, 3)
+    for index in np.ndindex(4, 3):
+        alone = nacre.spectrum_to_colour(GRID, values[index], illuminant="A")
+        for part in ("XYZ", "Lab", "rgb"):
+            np.testing.assert_array_equal(getattr(together, part)[index], getattr(alone, part))
+    assert nacre.spectrum_to_colour(GRID, values[:0]).rgb.shape == (0, 3, 3)
+
+
+def test_adaptation_is_that_of_colour_science():
+    values = bell(550, 60)
+    d65 = colour.xy_to_XYZ((0.3127, 0.3290))
+    white = sums(GRID, np.ones(471), "cie1931", illuminant("A"))
+    for ours, theirs in {"bradford": "Bradford", "cat16": "CAT16"}.items():
+        answer = nacre.spectrum_to_colour(
+            GRID, values, illuminant="A", space="xyz_d65", adaptation=ours
+        )
+        expected = colour.adaptation.chromatic_adaptation_VonKries(
+            answer.XYZ, white, d65, transform=theirs
+        )
+        np.testing.assert_allclose(answer.rgb, expected, rtol=0, atol=1e-9)
+    plain = nacre.spectrum_to_colour(
+        GRID, values, illuminant="A", space="xyz_d65", adaptation="none"
+    )
+    np.testing.assert_array_equal(plain.rgb, plain.XYZ)
+
+
+def test_gamut_mappings():
+    values = bell(510, 15)
+    kept = nacre.spectrum_to_colour(GRID, values).rgb
+    assert kept.min() < 0
+    assert kept.max() < 1
+    clipped = nacre.spectrum_to_colour(GRID, values, gamut="clip").rgb
+    np.testing.assert_array_equal(clipped, np.clip(kept, 0, 1))
+    np.testing.assert_array_equal(
+        nacre.spectrum_to_colour(GRID, values, gamut="scale").rgb, clipped
+    )
+    grey = nacre.spectrum_to_colour(GRID, values, gamut="desaturate").rgb
+    luminance = nacre.spectrum_to_colour(GRID, values, space="xyz_d65").rgb[1]
+    weights = np.linalg.inv(colour.RGB_COLOURSPACES["sRGB"].matrix_XYZ_to_RGB)[1]
+    assert grey.min() >= 0
+    assert weights @ grey == pytest.approx(luminance, abs=1e-3)
+
+
+def test_rgb_goes_to_a_spectrum_and_back():
+    rgb = RANDOM.random((5, 40, 3))
+    risen = nacre.rgb_to_spectrum(rgb)
+    assert risen.values.shape == (5, 40, 471)
+    assert risen.error_dE00.shape == (5, 40)
+    assert risen.error_dE00.max() <= 1e-6
+    assert risen.values.min() >= 0
+    assert risen.values.max() <= 1
+    back = nacre.spectrum_to_colour(risen.wavelength_nm, risen.values).rgb
+    np.testing.assert_allclose(back, rgb, rtol=0, atol=1e-9)
+    c0, c1, c2 = (risen.coefficients[..., i, None] for i in range(3))
+    x = (c0 * GRID + c1) * GRID + c2
+    np.testing.assert_allclose(risen.values, 0.5 + x / (2 * np.sqrt(1 + x * x)), atol=1e-9)
+
+
+def test_one_rgb_and_the_older_method():
+    risen = nacre.rgb_to_spectrum([0.6, 0.3, 0.1], "smits")
+    assert risen.values.shape == (471,)
+    assert risen.coefficients is None
+    expected = colour.recovery.RGB_to_sd_Smits1999([0.6, 0.3, 0.1]).values
+    np.testing.assert_allclose(risen.values[37::34][:10], expected, atol=1e-12)
+    back = nacre.spectrum_to_colour(risen.wavelength_nm, risen.values).rgb
+    assert np.abs(back - [0.6, 0.3, 0.1]).max() < 0.1
+
+
+def test_a_light_of_the_white_is_d65():
+    risen = nacre.rgb_to_spectrum([4, 4, 4], kind="emission")
+    shape = risen.values / illuminant("D65")
+    np.testing.assert_allclose(shape, shape[0], rtol=1e-12)
+    light = nacre.spectrum_to_colour(risen.wavelength_nm, risen.values, "emission")
+    assert light.XYZ[1] == pytest.approx(4, abs=1e-12)
+    wide = nacre.rgb_to_spectrum([0.1, 0.5, 0.1], space="lin_ap1_scene")
+    back = nacre.spectrum_to_colour(wide.wavelength_nm, wide.values, space="lin_ap1_scene").rgb
+    np.testing.assert_allclose(back, [0.1, 0.5, 0.1], atol=1e-9)

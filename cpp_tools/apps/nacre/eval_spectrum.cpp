@@ -171,38 +171,6 @@ Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, spectral::Ad
     return reflectance_colour(given->values, *illuminant, observer, how);
 }
 
-/// The spectrum that a colour stands for.
-struct RisenSpectrum {
-    spectral::Sampled values;
-    double error;  ///< ΔE00 of the round trip
-    std::optional<Vec3> coefficients;
-};
-
-RisenSpectrum reflectance_of(const Vec3& rgb, bool smits)
-{
-    if (smits) {
-        const spectral::Sampled values = spectral::smits_spectrum(rgb);
-        return {values, spectral::round_trip_error(rgb, values), std::nullopt};
-    }
-    const spectral::SigmoidSpectrum found = spectral::sigmoid_spectrum(rgb);
-    const spectral::Sampled values = found.on_grid();
-    return {values, spectral::round_trip_error(rgb, values), found.by_nanometre()};
-}
-
-/// A light: D65 of Y = 1 through a filter of the colour, which is kept at half strength so that
-/// even a bright saturated light gets a smooth one.
-RisenSpectrum emission_of(const Vec3& rgb, bool smits)
-{
-    const double largest = std::ranges::max(rgb);
-    const double scale = largest > 0.0 ? (smits ? 1.0 : 2.0) * largest : 1.0;
-    RisenSpectrum filter = reflectance_of({rgb[0] / scale, rgb[1] / scale, rgb[2] / scale}, smits);
-    const spectral::Sampled light = spectral::named_illuminant("D65").power;
-    const double white = spectral::emission_to_xyz(light, ObserverId::cie1931)[1];
-    for (std::size_t i = 0; i < filter.values.size(); ++i)
-        filter.values[i] *= scale * light[i] / white;
-    return filter;
-}
-
 /// `wavelength_nm` where the values are wanted.
 std::vector<double> read_wanted(ObjectReader& reader)
 {
@@ -223,7 +191,7 @@ double read_linearly(const spectral::Sampled& values, double wavelength_nm)
     return values[i] + part * (values[i + 1] - values[i]);
 }
 
-std::optional<Vec3> read_rgb(ObjectReader& reader, const ColourTarget& target)
+std::optional<Vec3> read_rgb(ObjectReader& reader)
 {
     const auto numbers = reader.numbers("rgb", kAnyNumber);
     if (!numbers) return std::nullopt;
@@ -231,13 +199,10 @@ std::optional<Vec3> read_rgb(ObjectReader& reader, const ColourTarget& target)
         reader.problem("rgb", fmt::format("must be 3 numbers (got {})", numbers->size()));
         return std::nullopt;
     }
-    const Vec3 given = {(*numbers)[0], (*numbers)[1], (*numbers)[2]};
-    const Vec3 xyz = multiply(linear_space(target).to_xyz_d65, given);
-    if (target.name == "lin_rec709_scene") return given;
-    return multiply(spectral::colour_space("lin_rec709_scene").from_xyz_d65, xyz);
+    return Vec3{(*numbers)[0], (*numbers)[1], (*numbers)[2]};
 }
 
-ordered_json spectrum_json(const RisenSpectrum& risen, const std::vector<double>& wanted)
+ordered_json spectrum_json(const spectral::RisenSpectrum& risen, const std::vector<double>& wanted)
 {
     ordered_json values = ordered_json::array();
     for (const double nm : wanted) values.push_back(read_linearly(risen.values, nm));
@@ -251,13 +216,14 @@ ordered_json spectrum_json(const RisenSpectrum& risen, const std::vector<double>
 Colour read_upsampled(ObjectReader& reader, DiagnosticList& problems, const ColourTarget& target,
                       spectral::Adaptation how)
 {
-    const std::optional<Vec3> rgb = read_rgb(reader, target);
+    const std::optional<Vec3> rgb = read_rgb(reader);
     const std::vector<double> wanted = read_wanted(reader);
-    const bool smits = reader.optional("method") &&
-                       reader.choice("method", {"jakob-hanika", "smits"}).value_or("") == "smits";
-    const bool emission =
-        reader.optional("kind") &&
-        reader.choice("kind", {"emission", "reflectance"}).value_or("") == "emission";
+    const auto method = reader.optional("method")
+                            ? reader.choice("method", {"jakob-hanika", "smits"})
+                            : "jakob-hanika";
+    const auto kind = reader.optional("kind") ? reader.choice("kind", {"emission", "reflectance"})
+                                              : "reflectance";
+    const bool emission = kind == "emission";
     const ObserverId observer = read_observer(reader);
     const bool named = reader.optional("illuminant") != nullptr;
     if (named && emission)
@@ -265,7 +231,9 @@ Colour read_upsampled(ObjectReader& reader, DiagnosticList& problems, const Colo
     const auto illuminant = named ? read_illuminant(reader) : spectral::named_illuminant("D65");
     reader.refuse_unknown_keys();
     problems.throw_if_any();
-    const RisenSpectrum risen = emission ? emission_of(*rgb, smits) : reflectance_of(*rgb, smits);
+    const spectral::RisenSpectrum risen = spectral::rgb_to_spectrum(
+        *rgb, linear_space(target), spectral::upsampling_from_name(*method),
+        emission ? spectral::SpectrumKind::emission : spectral::SpectrumKind::reflectance);
     Colour colour = emission ? emission_colour(spectral::emission_to_xyz(risen.values, observer))
                              : reflectance_colour(risen.values, *illuminant, observer, how);
     colour.spectrum = spectrum_json(risen, wanted);

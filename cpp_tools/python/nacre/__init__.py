@@ -9,7 +9,7 @@ are listed from the ambient down, angles are measured in the ambient, wavelength
 from __future__ import annotations
 
 from . import library
-from ._colour import Colour, spectrum_to_colour
+from ._colour import Colour, RgbSpectrum, rgb_to_spectrum, spectrum_to_colour
 from ._compile import CompiledMaterial, compile_template
 from ._film import FilmLut, Table, film_lut
 from ._grating import GratingOrders, grating_orders
@@ -24,6 +24,7 @@ __all__ = [
     "FilmLut",
     "GratingOrders",
     "NacreError",
+    "RgbSpectrum",
     "StackResult",
     "Table",
     "compile_template",
@@ -31,6 +32,7 @@ __all__ = [
     "film_reflectance",
     "grating_orders",
     "library",
+    "rgb_to_spectrum",
     "slit_intensity",
     "spectrum_to_colour",
     "stack",

@@ -23,8 +23,11 @@ class GridArray(Structure):
     _fields_ = [("values", c_void_p), ("steps", POINTER(c_size_t))]
 
 
-class Colour(Structure):
-    _fields_ = [("XYZ", c_double * 3), ("Lab", c_double * 3), ("rgb", c_double * 3)]
+class ColourOptions(Structure):
+    _fields_ = [
+        *[(name, c_char_p) for name in ("illuminant", "observer", "space", "adaptation", "gamut")],
+        ("reflectance", c_int),
+    ]
 
 
 class Grating(Structure):
@@ -126,9 +129,13 @@ _SIGNATURES = {
     ),
     "nacre_film_reflectance": (c_int, [c_char_p, c_size_t, c_void_p, c_int, c_void_p]),
     "nacre_slit_intensity": (c_int, [c_size_t, c_void_p, c_void_p]),
-    "nacre_spectrum_to_colour": (
+    "nacre_spectra_to_colours": (
         c_int,
-        [c_size_t, c_void_p, c_void_p, c_int, *[c_char_p] * 3, POINTER(Colour)],
+        [c_size_t, c_size_t, c_void_p, c_void_p, POINTER(ColourOptions), c_void_p],
+    ),
+    "nacre_rgb_to_spectrum": (
+        c_int,
+        [c_size_t, c_void_p, c_char_p, c_char_p, c_int, *[c_void_p] * 3],
     ),
     "nacre_grating_orders": (c_int, [POINTER(Grating), c_int, c_int, c_void_p, c_void_p]),
     "nacre_film_lut": (c_int, [POINTER(Film), POINTER(c_void_p)]),

@@ -44,22 +44,6 @@ double reflectance(optics::FilmModel model, const nacre_film_query& query,
                   reflectance(model, query, Polarisation::p));
 }
 
-/// Runs `solve` for each item; what it throws says which one.
-template <class Solve>
-void for_each_item(std::size_t count, Solve&& solve)
-{
-    for (std::size_t i = 0; i < count; ++i) {
-        try {
-            solve(i);
-        } catch (const InputError& error) {
-            std::vector<Diagnostic> problems(error.diagnostics().begin(),
-                                             error.diagnostics().end());
-            for (Diagnostic& problem : problems) problem.message += fmt::format(" (item {})", i);
-            throw InputError(std::move(problems));
-        }
-    }
-}
-
 }  // namespace
 }  // namespace nacre::capi
 

@@ -5,6 +5,9 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "nacre/capi.h"
 #include "nacre/core/diagnostics.h"
@@ -45,6 +48,22 @@ nacre_status guarded(Body&& body) noexcept
 inline void require(const void* pointer, const char* field)
 {
     if (pointer == nullptr) fail(field, "must not be null");
+}
+
+/// Runs `solve` for each item; what it throws says which one.
+template <class Solve>
+void for_each_item(std::size_t count, Solve&& solve)
+{
+    for (std::size_t i = 0; i < count; ++i) {
+        try {
+            solve(i);
+        } catch (const InputError& error) {
+            std::vector<Diagnostic> problems(error.diagnostics().begin(),
+                                             error.diagnostics().end());
+            for (Diagnostic& problem : problems) problem.message += fmt::format(" (item {})", i);
+            throw InputError(std::move(problems));
+        }
+    }
 }
 
 }  // namespace nacre::capi

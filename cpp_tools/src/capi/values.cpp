@@ -7,41 +7,9 @@
 
 #include "guard.h"
 #include "nacre/optics/grating.h"
-#include "nacre/spectral/colour.h"
-#include "nacre/spectral/spectrum.h"
 
 namespace nacre::capi {
 namespace {
-
-using spectral::Vec3;
-
-Vec3 multiply(const spectral::Mat3& matrix, const Vec3& vector)
-{
-    Vec3 product{};
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column)
-            product[row] += matrix[row][column] * vector[column];
-    return product;
-}
-
-struct Colour {
-    Vec3 xyz, xyz_d65, white;
-};
-
-Colour reflectance_colour(const spectral::Sampled& values, const char* illuminant,
-                          spectral::ObserverId observer)
-{
-    const spectral::Illuminant light = spectral::named_illuminant(illuminant);
-    spectral::Sampled perfect;
-    perfect.fill(1.0);
-    const Vec3 white = reflectance_to_xyz(perfect, light, observer);
-    const Vec3 xyz = reflectance_to_xyz(values, light, observer);
-    return {
-        xyz,
-        multiply(spectral::adaptation(spectral::Adaptation::bradford, white, spectral::d65_white()),
-                 xyz),
-        white};
-}
 
 optics::ProfileKind profile_kind(std::string_view name)
 {
@@ -60,39 +28,6 @@ optics::Direction direction(const double (&values)[3])
 }  // namespace nacre::capi
 
 extern "C" {
-
-nacre_status nacre_spectrum_to_colour(size_t count, const double* wavelength_nm,
-                                      const double* values, int reflectance, const char* illuminant,
-                                      const char* observer, const char* space, nacre_colour* colour)
-{
-    using namespace nacre;
-    return capi::guarded([&] {
-        capi::require(wavelength_nm, "wavelength_nm");
-        capi::require(values, "values");
-        capi::require(observer, "observer");
-        capi::require(space, "space");
-        capi::require(colour, "colour");
-        if (reflectance != 0) capi::require(illuminant, "illuminant");
-
-        const auto& target = spectral::colour_space(space);
-        const auto id = spectral::observer_from_name(observer);
-        const auto sampled = spectral::Spectrum(std::vector(wavelength_nm, wavelength_nm + count),
-                                                std::vector(values, values + count))
-                                 .on_grid();
-        capi::Colour result{};
-        if (reflectance != 0) {
-            result = capi::reflectance_colour(sampled, illuminant, id);
-        } else {
-            result.xyz = result.xyz_d65 = spectral::emission_to_xyz(sampled, id);
-            result.white = spectral::d65_white();
-        }
-        const auto lab = spectral::xyz_to_lab(result.xyz, result.white);
-        const auto rgb = capi::multiply(target.from_xyz_d65, result.xyz_d65);
-        std::copy(result.xyz.begin(), result.xyz.end(), colour->XYZ);
-        std::copy(lab.begin(), lab.end(), colour->Lab);
-        std::copy(rgb.begin(), rgb.end(), colour->rgb);
-    });
-}
 
 nacre_status nacre_grating_orders(const nacre_grating* grating, int first, int last,
                                   double* directions, double* efficiencies)

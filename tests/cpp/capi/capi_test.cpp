@@ -104,9 +104,9 @@ TEST(CapiColour, RefusesNullArrays)
         return error(nacre_spectrum_to_colour(1, nm, values, 0, nullptr, "cie1931",
                                               "lin_rec709_scene", out));
     };
+    EXPECT_EQ(call(&value, &value, nullptr), "colour: must not be null");
     EXPECT_EQ(call(nullptr, &value, &colour), "wavelength_nm: must not be null");
     EXPECT_EQ(call(&value, nullptr, &colour), "values: must not be null");
-    EXPECT_EQ(call(&value, &value, nullptr), "colour: must not be null");
 }
 
 // ---- Gratings ----------------------------------------------------------------------------------

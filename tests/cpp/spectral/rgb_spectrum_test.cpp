@@ -141,5 +141,30 @@ TEST(RgbSpectrum, SmitsRoundTripIsOffUnderD65)
     EXPECT_LT(largest, 0.12);
 }
 
+TEST(RgbSpectrum, LightsAreD65ThroughAFilter)
+{
+    const ColourSpace& space = colour_space("lin_rec709_scene");
+    const RisenSpectrum white =
+        rgb_to_spectrum({7.0, 7.0, 7.0}, space, Upsampling::sigmoid, SpectrumKind::emission);
+    EXPECT_NEAR(emission_to_xyz(white.values, ObserverId::cie1931)[1], 7.0, 1e-12);
+    const Sampled d65 = named_illuminant("D65").power;
+    for (const std::size_t i : {0, 100, 300})
+        EXPECT_NEAR(white.values[i] / d65[i], white.values[200] / d65[200], 1e-15);
+    EXPECT_TRUE(white.coefficients);
+    const RisenSpectrum black =
+        rgb_to_spectrum({0.0, 0.0, 0.0}, space, Upsampling::smits, SpectrumKind::emission);
+    EXPECT_EQ(std::ranges::max(black.values), 0.0);
+    EXPECT_FALSE(black.coefficients);
+}
+
+TEST(RgbSpectrum, NamesAndSpacesAreRead)
+{
+    EXPECT_EQ(upsampling_from_name("smits"), Upsampling::smits);
+    EXPECT_INPUT_ERROR((void)upsampling_from_name("meng"), "jakob-hanika or smits");
+    EXPECT_INPUT_ERROR((void)rgb_to_spectrum({0.1, 0.2, 0.3}, colour_space("xyz_d65"),
+                                             Upsampling::sigmoid, SpectrumKind::reflectance),
+                       "must be an RGB space");
+}
+
 }  // namespace
 }  // namespace nacre::spectral

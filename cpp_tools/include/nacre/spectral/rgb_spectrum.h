@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string_view>
+
 #include "nacre/spectral/colour.h"
+#include "nacre/spectral/spectrum_files.h"
 
 /// @file
 /// From colours to spectra that have them: many do, these are smooth ones.
 ///
-/// RGB is linear, of Rec.709, and of a reflectance under D65 for the 1931 observer: white is
-/// (1, 1, 1). Colours of other spaces come here through XYZ relative to D65.
+/// RGB is linear and of a reflectance under D65 for the 1931 observer: white is (1, 1, 1). Where no
+/// space is named it is Rec.709; colours of others come there through XYZ relative to D65.
 
 namespace nacre::spectral {
 
@@ -42,5 +46,24 @@ struct SigmoidSpectrum {
 
 /// ΔE00 between a colour and that of a reflectance under D65.
 [[nodiscard]] double round_trip_error(const Vec3& rgb, const Sampled& reflectance);
+
+enum class Upsampling { sigmoid, smits };
+
+/// "jakob-hanika" or "smits". @throws InputError for any other name.
+[[nodiscard]] Upsampling upsampling_from_name(std::string_view name);
+
+/// The spectrum that a colour stands for.
+struct RisenSpectrum {
+    Sampled values;
+    double error;                      ///< ΔE00 of the round trip
+    std::optional<Vec3> coefficients;  ///< of the sigmoid, by nanometre
+};
+
+/// A light of any strength is D65 of Y = 1 through a filter: with the sigmoid that of the colour at
+/// half strength, so that even a bright saturated light gets a smooth one. `error` and
+/// `coefficients` are those of the filter.
+/// @throws InputError as `sigmoid_spectrum` and `smits_spectrum`, and for a space that is not RGB.
+[[nodiscard]] RisenSpectrum rgb_to_spectrum(const Vec3& rgb, const ColourSpace& space,
+                                            Upsampling how, SpectrumKind kind);
 
 }  // namespace nacre::spectral
