@@ -42,7 +42,8 @@ TEST(CapiColour, ManySpectraWithOptions)
 TEST(CapiColour, RgbToSpectrum)
 {
     const std::vector<double> rgb{0.8, 0.3, 0.02, 0.5, 0.5, 0.5};
-    std::vector<double> values(2 * NACRE_WAVELENGTHS, -7.0), coefficients(6), errors(2);
+    std::vector<double> values(std::size_t{2} * NACRE_WAVELENGTHS, -7.0), coefficients(6),
+        errors(2);
     ASSERT_EQ(nacre_rgb_to_spectrum(2, rgb.data(), "lin_rec709_scene", "jakob-hanika", 0,
                                     values.data(), coefficients.data(), errors.data()),
               NACRE_OK);
