@@ -14,6 +14,7 @@ namespace nacre::tool {
 struct Session;
 
 void add_bake_cmf(CLI::App& bake, Session& session);
+void add_bake_ramp(CLI::App& bake, Session& session);
 void add_bake_stack(CLI::App& bake, Session& session);
 
 }  // namespace nacre::tool

@@ -19,6 +19,11 @@ void add_table_options(CLI::App& command, TableOptions& options)
         .add_option("--tolerance", options.tolerance,
                     "largest ΔE00 between texels; decides the size")
         ->capture_default_str();
+    add_light_options(command, options);
+}
+
+void add_light_options(CLI::App& command, TableOptions& options)
+{
     command
         .add_option("--illuminant", options.illuminant,
                     fmt::format("{}, {}", fmt::join(spectral::illuminant_names(), ", "),

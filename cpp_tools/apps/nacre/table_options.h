@@ -22,7 +22,10 @@ struct ResolvedTableOptions {
     TableProvenance provenance;  ///< the stack is the caller's to add
 };
 
+/// All of them.
 void add_table_options(CLI::App& command, TableOptions& options);
+/// Those without the tolerance, for colours that are exact.
+void add_light_options(CLI::App& command, TableOptions& options);
 
 /// @throws InputError for names that do not exist, or a space that is not scene-linear
 [[nodiscard]] ResolvedTableOptions resolve(const TableOptions& options);

@@ -327,4 +327,15 @@ FilmColour exact_film_colour(const FilmTableRequest& request, double cos_theta,
     return colour;
 }
 
+std::vector<FilmColour> exact_film_ramp(const FilmTableRequest& request, double cos_theta,
+                                        std::size_t count)
+{
+    const Variation& along = *request.variation;
+    const SpectralBlocks spectral(request);
+    std::vector<FilmColour> ramp(count);
+    Column(spectral).turn_to(cos_theta).evaluate(
+        along.min, (along.max - along.min) / static_cast<double>(count - 1), ramp);
+    return ramp;
+}
+
 }  // namespace nacre::lut

@@ -69,4 +69,9 @@ struct FilmColour {
 [[nodiscard]] FilmColour exact_film_colour(const FilmTableRequest& request, double cos_theta,
                                            double variation_value);
 
+/// The same at `count` ≥ 2 equal steps of the variation, from `variation.min` to its `max`.
+/// @pre the request has a variation
+[[nodiscard]] std::vector<FilmColour> exact_film_ramp(const FilmTableRequest& request,
+                                                      double cos_theta, std::size_t count);
+
 }  // namespace nacre::lut
