@@ -165,5 +165,22 @@ RC_GTEST_PROP(Fresnel, ClearMediaKeepTheEnergy, ())
     RC_ASSERT(std::abs(std::norm(a.r_p) + beam * std::norm(a.t_p) - 1.0) < 1e-13);
 }
 
+/// Indices at 530 nm and reflectances as tables for renderers print them, to two decimals.
+TEST(Fresnel, MetalsReflectWhatTablesSay)
+{
+    struct Metal {
+        Complex n;
+        double R;
+    };
+    for (const Metal& metal : {Metal{{1.80, 3.32}, 0.62},  // nickel
+                               {{0.83, 2.60}, 0.67},       // copper
+                               {{0.31, 2.88}, 0.88},       // gold
+                               {{0.12, 3.45}, 0.96}}) {    // silver
+        const auto at = fresnel_amplitudes(1.0, metal.n, 1.0, forward_cosine(1.0, metal.n, 1.0));
+        EXPECT_NEAR(std::norm(at.r_s), metal.R, 0.005) << metal.n;
+        EXPECT_NEAR(std::norm(at.r_p), metal.R, 0.005) << metal.n;
+    }
+}
+
 }  // namespace
 }  // namespace nacre::optics
