@@ -30,12 +30,23 @@ class Result:
         return {**asdict(self), "ratio": self.ratio, "met": met}
 
 
-def best_seconds(jobs: list[Callable[[], object]], repeats: int = 7) -> list[float]:
-    """Shortest wall time of each job; they take turns, so that a busy machine troubles all alike."""
+def best_seconds(
+    jobs: list[Callable[[], object]], repeats: int = 7, turn_seconds: float = 0.25
+) -> list[float]:
+    """Shortest wall time of each job.
+
+    They take turns, so that a busy machine troubles all alike; a turn lasts `turn_seconds` or one
+    run, so that a short job has as good a chance as a long one to meet a quiet moment.
+    """
     best = [float("inf")] * len(jobs)
     for _ in range(repeats):
         for i, job in enumerate(jobs):
-            start = time.perf_counter()
-            job()
-            best[i] = min(best[i], time.perf_counter() - start)
+            turn = time.perf_counter()
+            while True:
+                start = time.perf_counter()
+                job()
+                now = time.perf_counter()
+                best[i] = min(best[i], now - start)
+                if now - turn >= turn_seconds:
+                    break
     return best
