@@ -172,32 +172,32 @@ int import_files(const Session& session, const ImportOptions& options)
 void add_library_import(CLI::App& library, Session& session)
 {
     const auto options = std::make_shared<ImportOptions>();
-    CLI::App* import =
+    CLI::App* command =
         library.add_subcommand("import", "optical constants and spectra into your own library");
-    import->fallthrough()->footer(
+    command->fallthrough()->footer(
         "\n  nacre library import my_glass.yml --as glass/mine\n"
         "  nacre library import lamp.spdx --citation \"data sheet of the maker\"\n"
         "  nacre library import chart.cgats --kind reflectance --as chart\n"
         "  nacre library import film.csv --kind medium");
-    import
+    command
         ->add_option("FILE", options->files,
                      "refractiveindex.info YAML (.yml), .csv, .spd, IES TM-27-14 (.spdx), CGATS")
         ->required();
-    import->add_option(
+    command->add_option(
         "--as", options->key,
         "key of the entry, or folder of several; by default user/<name of the file>");
-    import->add_option("--kind", options->kind, "what the values are, where the file does not tell")
+    command
+        ->add_option("--kind", options->kind, "what the values are, where the file does not tell")
         ->check(CLI::IsMember({"medium", "reflectance", "emission"}));
-    import->add_option("--citation", options->citation, "where the data are from");
-    import->add_option("--licence", options->licence, "on what terms they may be used");
-    import->add_option("--scale", options->scale, "multiplies the values of spectra")
+    command->add_option("--citation", options->citation, "where the data are from");
+    command->add_option("--licence", options->licence, "on what terms they may be used");
+    command->add_option("--scale", options->scale, "multiplies the values of spectra")
         ->capture_default_str();
-    import->add_flag("--replace", options->replace, "take the place of your own entry of that key");
-    import->callback([&session, options] {
-        session.run = [&session, options] { return import_files(session, *options);
-};
-}  // namespace nacre::tool
-);
+    command->add_flag("--replace", options->replace,
+                      "take the place of your own entry of that key");
+    command->callback([&session, options] {
+        session.run = [&session, options] { return import_files(session, *options); };
+    });
 }
 
 }  // namespace nacre::tool
