@@ -129,11 +129,34 @@ bool Spectrum::is_uniform() const noexcept
     return true;
 }
 
-Sampled Spectrum::on_grid() const
+Interpolation Spectrum::recommended() const noexcept
 {
     constexpr std::size_t kFewestForSprague = 6;
-    return on_grid(is_uniform() && values_.size() >= kFewestForSprague ? Interpolation::sprague
-                                                                       : Interpolation::linear);
+    return values_.size() >= kFewestForSprague && is_uniform() ? Interpolation::sprague
+                                                               : Interpolation::linear;
+}
+
+std::vector<double> Spectrum::values_at(std::span<const double> wavelengths_nm,
+                                        Interpolation interpolation) const
+{
+    std::vector<double> result;
+    result.reserve(wavelengths_nm.size());
+    const auto fill = [&](const auto& curve) {
+        for (const double nm : wavelengths_nm)
+            result.push_back(curve.at(std::clamp(nm, first_nm(), last_nm())));
+    };
+    if (interpolation == Interpolation::sprague) {
+        const double step = (last_nm() - first_nm()) / static_cast<double>(values_.size() - 1);
+        fill(SpragueCurve(first_nm(), step, values_));
+    } else {
+        fill(*this);
+    }
+    return result;
+}
+
+Sampled Spectrum::on_grid() const
+{
+    return on_grid(recommended());
 }
 
 Sampled Spectrum::on_grid(Interpolation interpolation) const
@@ -143,18 +166,11 @@ Sampled Spectrum::on_grid(Interpolation interpolation) const
                           .field = "wavelength_nm",
                           .message = fmt::format("must overlap {} … {} nm (got {} … {})", kFirstNm,
                                                  kLastNm, first_nm(), last_nm())});
-    Sampled sampled;
-    const auto fill = [&](const auto& curve) {
-        for (std::size_t i = 0; i < kWavelengths; ++i)
-            sampled[i] = curve.at(std::clamp(wavelength_nm(i), first_nm(), last_nm()));
-    };
-    if (interpolation == Interpolation::sprague) {
-        const double step = (last_nm() - first_nm()) / static_cast<double>(values_.size() - 1);
-        fill(SpragueCurve(first_nm(), step, values_));
-    } else {
-        fill(*this);
-    }
-    return sampled;
+    Sampled grid;
+    for (std::size_t i = 0; i < kWavelengths; ++i) grid[i] = wavelength_nm(i);
+    const std::vector<double> values = values_at(grid, interpolation);
+    std::ranges::copy(values, grid.begin());
+    return grid;
 }
 
 }  // namespace nacre::spectral

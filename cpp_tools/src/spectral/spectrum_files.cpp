@@ -16,10 +16,24 @@ std::string_view spectrum_kind_name(SpectrumKind kind) noexcept
     return kind == SpectrumKind::emission ? "emission" : "reflectance";
 }
 
+namespace {
+
+Interpolation interpolation_of(const NamedSpectrum& spectrum)
+{
+    return spectrum.kind == SpectrumKind::emission ? Interpolation::linear
+                                                   : spectrum.samples.recommended();
+}
+
+}  // namespace
+
 Sampled NamedSpectrum::on_grid() const
 {
-    return kind == SpectrumKind::emission ? samples.on_grid(Interpolation::linear)
-                                          : samples.on_grid();
+    return samples.on_grid(interpolation_of(*this));
+}
+
+std::vector<double> NamedSpectrum::values_at(std::span<const double> wavelengths_nm) const
+{
+    return samples.values_at(wavelengths_nm, interpolation_of(*this));
 }
 
 std::optional<std::string> kind_problem(const Spectrum& samples, SpectrumKind kind)

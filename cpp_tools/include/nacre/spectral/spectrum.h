@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "nacre/spectral/wavelengths.h"
@@ -41,6 +42,14 @@ public:
 
     /// The same with a chosen interpolation. @pre sprague: six or more samples in equal steps
     [[nodiscard]] Sampled on_grid(Interpolation interpolation) const;
+
+    /// At any wavelengths; outside the samples the value of the nearest one.
+    /// @pre sprague: six or more samples in equal steps
+    [[nodiscard]] std::vector<double> values_at(std::span<const double> wavelengths_nm,
+                                                Interpolation interpolation) const;
+
+    /// What on_grid() takes: Sprague where it can be.
+    [[nodiscard]] Interpolation recommended() const noexcept;
 
 private:
     [[nodiscard]] bool is_uniform() const noexcept;

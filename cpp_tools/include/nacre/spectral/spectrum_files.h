@@ -35,6 +35,8 @@ struct NamedSpectrum {
 
     /// Reflectances as Spectrum::on_grid() has it; emissions linear, as the CIE reads illuminants.
     [[nodiscard]] Sampled on_grid() const;
+    /// The same at any wavelengths: Spectrum::values_at().
+    [[nodiscard]] std::vector<double> values_at(std::span<const double> wavelengths_nm) const;
 };
 
 /// What is wrong with the values for the kind: a reflectance outside 0 … 2, an emission that is
