@@ -68,7 +68,7 @@ def test_the_same_bytes_every_time(nacre, tmp_path):
 @pytest.mark.parametrize(
     ("name", "options", "message"),
     [
-        ("cmf.jpg", (), "must end in .exr, .tx (float, half) or .png (byte)"),
+        ("cmf.jpg", (), "must end in .exr, .tx (float, half), .ftxt (float) or .png"),
         ("cmf", (), "must end in .exr, .tx"),
         ("cmf.png", ("--depth", "float"), "--depth: must be byte for .png (got float)"),
         ("cmf.exr", ("--depth", "byte"), "--depth: must be float or half for .exr (got byte)"),

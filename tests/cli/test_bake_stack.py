@@ -218,4 +218,4 @@ def test_bad_option(nacre, film_json, tmp_path, options, message):
 
 def test_a_table_does_not_fit_into_bytes(nacre, film_json, tmp_path):
     target = tmp_path / "film.png"
-    assert "must end in .exr or .tx" in nacre.fails("bake", "stack", film_json, "-o", target)
+    assert "must end in .exr, .tx or .ftxt" in nacre.fails("bake", "stack", film_json, "-o", target)

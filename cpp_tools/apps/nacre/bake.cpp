@@ -14,7 +14,9 @@ void add_bake(CLI::App& app, Session& session)
         app.add_subcommand("bake", "textures with their axes, units and origin inside");
     bake->fallthrough()->require_subcommand(1);
     add_bake_cmf(*bake, session);
+    add_bake_material(*bake, session);
     add_bake_ramp(*bake, session);
+    add_bake_spectra(*bake, session);
     add_bake_stack(*bake, session);
 }
 

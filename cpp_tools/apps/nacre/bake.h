@@ -14,7 +14,9 @@ namespace nacre::tool {
 struct Session;
 
 void add_bake_cmf(CLI::App& bake, Session& session);
+void add_bake_material(CLI::App& bake, Session& session);
 void add_bake_ramp(CLI::App& bake, Session& session);
+void add_bake_spectra(CLI::App& bake, Session& session);
 void add_bake_stack(CLI::App& bake, Session& session);
 
 }  // namespace nacre::tool

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include <CLI/CLI.hpp>
@@ -11,7 +12,9 @@
 #include "nacre/spectral/observer.h"
 #include "output.h"
 #include "session.h"
+#include "spectrum_input.h"
 #include "table_image.h"
+#include "texture_image.h"
 
 namespace nacre::tool {
 namespace {
@@ -25,7 +28,8 @@ One row of 471 texels, 360 … 830 nm at 1 nm: R = x̄, G = ȳ, B = z̄. Bytes h
 the maximum, which the attribute nacre:maximum gives for R, G and B.
 
   nacre bake cmf -o cmf.exr
-  nacre bake cmf --observer cie1964 --maximum channel -o cmf_bytes.png)";
+  nacre bake cmf --observer cie1964 --maximum channel -o cmf_bytes.png
+  nacre bake cmf -o cmf.ftxt)";
 
 /// Largest value of each channel, or of all of them three times.
 std::vector<float> maxima(const spectral::Observer& observer, bool global)
@@ -48,8 +52,25 @@ Image cmf_image(const spectral::Observer& observer, const std::vector<float>& di
     return image;
 }
 
-int bake(const CmfOptions& options)
+/// As they are, for comparing with what a file holds of them.
+std::vector<spectral::NamedSpectrum> exact_spectra(const spectral::Observer& observer)
 {
+    std::vector<spectral::NamedSpectrum> spectra;
+    for (const auto& [name, curve] :
+         {std::pair{"x", &observer.x}, {"y", &observer.y}, {"z", &observer.z}})
+        spectra.push_back(
+            named_spectrum(name, spectral::kFirstNm, {curve->begin(), curve->end()}, std::nullopt));
+    return spectra;
+}
+
+int bake(const Session& session, const CmfOptions& options)
+{
+    const auto exact =
+        exact_spectra(spectral::observer(spectral::observer_from_name(options.observer)));
+    if (std::filesystem::path(options.output).extension() == ".csv") {
+        write_text_output(options.output, spectra_csv(exact));
+        return kExitOk;
+    }
     const Encoding encoding = encoding_for(options.output, options.depth);
     const auto id = spectral::observer_from_name(options.observer);
     const spectral::Observer& observer = spectral::observer(id);
@@ -64,11 +85,10 @@ int bake(const CmfOptions& options)
     std::vector<float> divisors(3, 1.0F);
     if (encoding.depth == Depth::byte) {
         divisors = maxima(observer, options.maximum == "global");
-        attributes["nacre:schema"] = std::to_string(kTableSchema);
         attributes["nacre:maximum"] = nlohmann::json(divisors).dump();
     }
-    write_text_output(options.output,
-                      encode_image(cmf_image(observer, divisors), attributes, encoding));
+    write_texture(session, options.output, cmf_image(observer, divisors), std::move(attributes),
+                  encoding, exact);
     return kExitOk;
 }
 
@@ -79,7 +99,8 @@ void add_bake_cmf(CLI::App& bake_command, Session& session)
     const auto options = std::make_shared<CmfOptions>();
     CLI::App* cmf = bake_command.add_subcommand("cmf", "colour-matching functions as a texture");
     cmf->fallthrough()->footer(kHelp);
-    cmf->add_option("-o,--output", options->output, ".exr or .tx (float, half), .png (byte)")
+    cmf->add_option("-o,--output", options->output,
+                    ".exr or .tx (float, half), .ftxt, .csv, .png (byte)")
         ->required();
     cmf->add_option("--observer", options->observer)
         ->check(CLI::IsMember({"cie1931", "cie1964"}))
@@ -89,7 +110,9 @@ void add_bake_cmf(CLI::App& bake_command, Session& session)
     cmf->add_option("--maximum", options->maximum, "what bytes are divided by")
         ->check(CLI::IsMember({"global", "channel"}))
         ->capture_default_str();
-    cmf->callback([&session, options] { session.run = [options] { return bake(*options); }; });
+    cmf->callback([&session, options] {
+        session.run = [&session, options] { return bake(session, *options); };
+    });
 }
 
 }  // namespace nacre::tool

@@ -67,7 +67,7 @@ int bake(const Session& session, const StackOptions& options)
     const Encoding encoding = encoding_for(options.output, options.depth);
     if (encoding.container == Container::png)
         throw InputError(
-            {options.output, 0, "-o", "must end in .exr or .tx: a table needs floats"});
+            {options.output, 0, "-o", "must end in .exr, .tx or .ftxt: a table needs floats"});
     const material::MaterialTemplate source = read_template_input(options.input);
     if (!std::holds_alternative<material::StackSpec>(source.kind))
         throw InputError(
@@ -106,7 +106,7 @@ void add_bake_stack(CLI::App& bake_command, Session& session)
         bake_command.add_subcommand("stack", "colour of a film over angle and thickness");
     stack->fallthrough()->footer(kHelp);
     stack->add_option("INPUT", options->input, "template (.toml) or stack (.json, -)")->required();
-    stack->add_option("-o,--output", options->output, ".exr or .tx")->required();
+    stack->add_option("-o,--output", options->output, ".exr, .tx or .ftxt")->required();
     stack->add_option("--quantity", options->quantity)
         ->check(CLI::IsMember({"reflectance", "transmittance"}))
         ->capture_default_str();

@@ -3,13 +3,17 @@
 #include "image_file.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
+#include "nacre/spectral/texture.h"
 
 namespace nacre::tool {
 namespace {
@@ -20,6 +24,9 @@ using OIIO::ImageSpec;
 using OIIO::TypeDesc;
 
 constexpr int kTile = 64;
+
+/// Neither writing nor reading multiplies or divides by A.
+constexpr const char* kUnassociated = "oiio:UnassociatedAlpha";
 
 /// Keeps a malicious header from asking for more memory than any picture needs.
 constexpr std::int64_t kMaxValues = std::int64_t{1} << 31;
@@ -48,10 +55,12 @@ ImageSpec make_spec(const Image& image, const Attributes& attributes, const Enco
                    type_of(encoding.depth));
     spec.channelnames = image.channels;
     spec.attribute("DateTime", "");  // left out, OpenImageIO writes the time of day
-    if (encoding.container == Container::png)
+    if (encoding.container == Container::png) {
         spec.attribute("oiio:ColorSpace", "raw");
-    else
+        spec.attribute(kUnassociated, 1);
+    } else {
         spec.attribute("compression", "zip");
+    }
     if (encoding.container == Container::tx) {
         spec.tile_width = spec.tile_height = kTile;
         spec.attribute("textureformat", "Plain Texture");
@@ -93,29 +102,68 @@ LoadedImage describe(const ImageInput& input)
     return loaded;
 }
 
+std::string encode_ftxt(const Image& image, const Attributes& attributes)
+{
+    spectral::TextTexture content{{.width = image.width,
+                                   .height = image.height,
+                                   .channels = static_cast<int>(image.channel_count()),
+                                   .texels = image.pixels},
+                                  {}};
+    for (const auto& [name, value] : attributes) {
+        const auto* text = std::get_if<std::string>(&value);
+        const auto* number = std::get_if<int>(&value);
+        content.comments[name] = text     ? *text
+                                 : number ? std::to_string(*number)
+                                          : nlohmann::json(std::get<2>(value)).dump();
+    }
+    return spectral::write_ftxt(content);
+}
+
+LoadedImage load_ftxt(const std::filesystem::path& file)
+{
+    spectral::TextTexture content = spectral::read_ftxt(read_text(file), file.string());
+    LoadedImage loaded;
+    loaded.image = {content.texture.width,
+                    content.texture.height,
+                    {"R", "G", "B", "A"},
+                    std::move(content.texture.texels)};
+    loaded.format = "ftxt";
+    loaded.depth = "float";
+    for (auto& [name, value] : content.comments) loaded.attributes[name] = std::move(value);
+    return loaded;
+}
+
 }  // namespace
 
 Encoding encoding_for(const std::filesystem::path& file, const std::string& depth)
 {
+    struct Rule {
+        std::string_view extension;
+        Container container;
+        std::vector<std::string_view> depths;  ///< the first by default
+    };
+    static const std::vector<Rule> kRules = {{".exr", Container::exr, {"float", "half"}},
+                                             {".tx", Container::tx, {"float", "half"}},
+                                             {".png", Container::png, {"byte"}},
+                                             {".ftxt", Container::ftxt, {"float"}}};
     const std::string extension = file.extension().string();
-    const bool byte_file = extension == ".png";
-    if (!byte_file && extension != ".exr" && extension != ".tx")
-        throw InputError(
-            {file.string(), 0, "-o", "must end in .exr, .tx (float, half) or .png (byte)"});
-    const std::string chosen = depth.empty() ? (byte_file ? "byte" : "float") : depth;
-    if (byte_file != (chosen == "byte"))
+    const auto rule = std::ranges::find(kRules, extension, &Rule::extension);
+    if (rule == kRules.end())
+        throw InputError({file.string(), 0, "-o",
+                          "must end in .exr, .tx (float, half), .ftxt (float) or .png (byte)"});
+    const std::string_view chosen = depth.empty() ? rule->depths.front() : depth;
+    if (std::ranges::find(rule->depths, chosen) == rule->depths.end())
         throw InputError({file.string(), 0, "--depth",
-                          fmt::format("must be {} for {} (got {})",
-                                      byte_file ? "byte" : "float or half", extension, chosen)});
-    const Container container = byte_file             ? Container::png
-                                : extension == ".exr" ? Container::exr
-                                                      : Container::tx;
-    const Depth kind = byte_file ? Depth::byte : chosen == "half" ? Depth::half : Depth::floating;
-    return {container, kind};
+                          fmt::format("must be {} for {} (got {})", fmt::join(rule->depths, " or "),
+                                      extension, chosen)});
+    return {rule->container, chosen == "byte"   ? Depth::byte
+                             : chosen == "half" ? Depth::half
+                                                : Depth::floating};
 }
 
 std::string encode_image(const Image& image, const Attributes& attributes, const Encoding& encoding)
 {
+    if (encoding.container == Container::ftxt) return encode_ftxt(image, attributes);
     // Into memory first, so that a full disc is met by the one place that writes files.
     const char* name = encoding.container == Container::png ? "memory.png" : "memory.exr";
     std::vector<unsigned char> bytes;
@@ -129,11 +177,14 @@ std::string encode_image(const Image& image, const Attributes& attributes, const
     return {bytes.begin(), bytes.end()};
 }
 
-LoadedImage read_image(const std::filesystem::path& file)
+LoadedImage read_image(const std::filesystem::path& file, AlphaMeaning alpha)
 {
     // A missing file or a folder gets the message that it gets everywhere.
     if (!std::filesystem::is_regular_file(file)) (void)read_text(file);
-    const auto input = ImageInput::open(file.string());
+    if (file.extension() == ".ftxt") return load_ftxt(file);
+    ImageSpec hints;
+    if (alpha == AlphaMeaning::number) hints.attribute(kUnassociated, 1);
+    const auto input = ImageInput::open(file.string(), &hints);
     if (!input)
         throw InputError(
             {file.string(), 0, "", "is not an image that can be read: " + OIIO::geterror()});
@@ -156,6 +207,14 @@ void round_to_half(std::vector<float>& values)
                         static_cast<int>(values.size()));
     OIIO::convert_types(TypeDesc::HALF, halves.data(), TypeDesc::FLOAT, values.data(),
                         static_cast<int>(values.size()));
+}
+
+void round_to(Depth depth, std::vector<float>& values)
+{
+    if (depth == Depth::half) round_to_half(values);
+    if (depth == Depth::byte)
+        for (float& value : values)
+            value = std::round(std::clamp(value, 0.0F, 1.0F) * 255.0F) / 255.0F;
 }
 
 }  // namespace nacre::tool

@@ -27,7 +27,7 @@ using Attributes = std::map<std::string, AttributeValue>;
 
 enum class Depth { floating, half, byte };
 
-enum class Container { exr, tx, png };
+enum class Container { exr, tx, png, ftxt };
 
 struct Encoding {
     Container container;
@@ -40,7 +40,8 @@ struct Encoding {
 
 /// The bytes of the file, the same for the same arguments: no date, no host, no program.
 /// EXR is zip-compressed scan lines; .tx is a tiled EXR without mip maps; a PNG keeps text
-/// attributes only and its values are those of the pixels times 255, without a transfer curve.
+/// attributes only, its values are those of the pixels times 255, without a transfer curve, and its
+/// alpha is a number like the others; FTXT (nacre/spectral/texture.h) has attributes as comments.
 [[nodiscard]] std::string encode_image(const Image& image, const Attributes& attributes,
                                        const Encoding& encoding);
 
@@ -52,11 +53,20 @@ struct LoadedImage {
     Attributes attributes;
 };
 
+/// What A is in a file whose RGB is not multiplied by it yet.
+enum class AlphaMeaning {
+    coverage,  ///< RGB is multiplied by it
+    number,    ///< all channels as they are stored
+};
+
 /// Reads all pixels as float, as they are stored. @throws InputError when the file is missing,
 /// cut short or not an image.
-[[nodiscard]] LoadedImage read_image(const std::filesystem::path& file);
+[[nodiscard]] LoadedImage read_image(const std::filesystem::path& file,
+                                     AlphaMeaning alpha = AlphaMeaning::coverage);
 
 /// What half floats make of values, for measuring the error of a table that is stored so.
 void round_to_half(std::vector<float>& values);
+/// What a file of that depth makes of them.
+void round_to(Depth depth, std::vector<float>& values);
 
 }  // namespace nacre::tool

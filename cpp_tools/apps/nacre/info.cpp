@@ -8,8 +8,11 @@
 #include <nlohmann/json.hpp>
 
 #include "image_file.h"
+#include "nacre/core/diagnostics.h"
 #include "output.h"
 #include "session.h"
+#include "spectrum_input.h"
+#include "texture_image.h"
 
 namespace nacre::tool {
 namespace {
@@ -18,6 +21,7 @@ using nlohmann::ordered_json;
 
 constexpr const char* kHelp = R"(
   nacre info soap_film.exr
+  nacre info lights.png --spectra lights.csv
   nacre info soap_film.exr --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["stack"])')";
 
 constexpr std::string_view kPrefix = "nacre:";
@@ -70,14 +74,21 @@ std::string axis_text(const ordered_json& axis)
                        member_text(axis, "max"), unit == "1" ? "" : " " + unit);
 }
 
+/// All of them, or where there are many the first, the last and how many.
+std::string channels_text(const std::vector<std::string>& channels)
+{
+    constexpr std::size_t kMost = 8;
+    if (channels.size() <= kMost) return fmt::format("channels {}", fmt::join(channels, " "));
+    return fmt::format("{} channels {} … {}", channels.size(), channels.front(), channels.back());
+}
+
 std::string text_of(const ordered_json& description)
 {
-    std::string text =
-        fmt::format("{}: {} x {} {}, channels {}, {}\n", readable(description["file"]),
-                    description["width"].get<int>(), description["height"].get<int>(),
-                    readable(description["depth"]),
-                    fmt::join(description["channels"].get<std::vector<std::string>>(), " "),
-                    readable(description["format"]));
+    std::string text = fmt::format(
+        "{}: {} x {} {}, {}, {}\n", readable(description["file"]), description["width"].get<int>(),
+        description["height"].get<int>(), readable(description["depth"]),
+        channels_text(description["channels"].get<std::vector<std::string>>()),
+        readable(description["format"]));
     if (!description.contains("schema"))
         text += "not a table of nacre: no attribute nacre:schema\n";
     for (const auto& [name, value] : description.items()) {
@@ -94,17 +105,31 @@ std::string text_of(const ordered_json& description)
     return text;
 }
 
+int write_spectra(const std::vector<std::string>& files, const std::string& output)
+{
+    if (files.size() != 1)
+        throw InputError(
+            {{}, 0, "--spectra", fmt::format("takes one FILE (got {})", files.size())});
+    write_text_output(output, spectra_csv(read_spectra_file(files.front())));
+    return kExitOk;
+}
+
 }  // namespace
 
 void add_info(CLI::App& app, Session& session)
 {
     const auto files = std::make_shared<std::vector<std::string>>();
+    const auto spectra = std::make_shared<std::string>();
     CLI::App* info = app.add_subcommand("info", "what is in a baked file");
     info->fallthrough()->footer(kHelp);
     info->add_option("FILE", *files, "images; with --json one object, or an array for several")
         ->required();
-    info->callback([&session, files] {
-        session.run = [&session, files] {
+    info->add_option("--spectra", *spectra,
+                     "write the spectra of one texture or spectral EXR there as CSV (- is the "
+                     "standard output), nothing else");
+    info->callback([&session, files, spectra] {
+        session.run = [&session, files, spectra] {
+            if (!spectra->empty()) return write_spectra(*files, *spectra);
             ordered_json list = ordered_json::array();
             std::string text;
             for (const std::string& file : *files) {

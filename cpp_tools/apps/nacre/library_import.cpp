@@ -17,6 +17,7 @@
 #include "nacre/spectral/spectrum_files.h"
 #include "nacre/spectral/user_library.h"
 #include "output.h"
+#include "spectrum_input.h"
 
 namespace nacre::tool {
 namespace {
@@ -96,10 +97,9 @@ NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
     return spectrum;
 }
 
-std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::string& file,
-                                    const std::string& text)
+std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::string& file)
 {
-    std::vector<NamedSpectrum> spectra = spectral::read_spectra(text, file);
+    std::vector<NamedSpectrum> spectra = read_spectra_file(file);
     const std::string folder = key_of_file(options, file);
     std::vector<UserEntry> entries;
     std::set<std::string> parts;
@@ -129,13 +129,12 @@ std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::str
 
 std::vector<UserEntry> read_file(const ImportOptions& options, const std::string& file)
 {
-    std::string text = read_text(file);
     const std::string extension = std::filesystem::path(file).extension().string();
     const bool yaml = extension == ".yml" || extension == ".yaml";
     if (yaml && !options.kind.empty() && options.kind != "medium")
         throw InputError({file, 0, "--kind", "must be medium for optical constants"});
-    if (yaml || options.kind == "medium") return {read_medium(options, file, std::move(text))};
-    return read_spectra(options, file, text);
+    if (yaml || options.kind == "medium") return {read_medium(options, file, read_text(file))};
+    return read_spectra(options, file);
 }
 
 int import_files(const Session& session, const ImportOptions& options)
@@ -181,7 +180,8 @@ void add_library_import(CLI::App& library, Session& session)
         "  nacre library import film.csv --kind medium");
     command
         ->add_option("FILE", options->files,
-                     "refractiveindex.info YAML (.yml), .csv, .spd, IES TM-27-14 (.spdx), CGATS")
+                     "refractiveindex.info YAML (.yml), .csv, .spd, IES TM-27-14 (.spdx), CGATS, "
+                     "spectral .exr, textures of spectra")
         ->required();
     command->add_option(
         "--as", options->key,

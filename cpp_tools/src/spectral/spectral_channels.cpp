@@ -15,18 +15,16 @@ namespace {
 
 constexpr double kLightSpeed = 299'792'458.0;  ///< m/s, exact (SI)
 
-/// What a prefix of the SI multiplies by; nothing for a text that is none.
-std::optional<double> si_factor(std::string_view prefix)
+/// Power of ten of a prefix of the SI; nothing for a text that is none.
+std::optional<int> si_exponent(std::string_view prefix)
 {
-    constexpr std::array<std::pair<std::string_view, double>, 21> kPrefixes = {
-        {{"", 1.0},    {"Y", 1e24},  {"Z", 1e21}, {"E", 1e18}, {"P", 1e15},  {"T", 1e12},
-         {"G", 1e9},   {"M", 1e6},   {"k", 1e3},  {"h", 1e2},  {"da", 1e1},  {"d", 1e-1},
-         {"c", 1e-2},  {"m", 1e-3},  {"u", 1e-6}, {"n", 1e-9}, {"p", 1e-12}, {"f", 1e-15},
-         {"a", 1e-18}, {"z", 1e-21}, {"y", 1e-24}}};
-    const auto* found =
-        std::ranges::find(kPrefixes, prefix, &decltype(kPrefixes)::value_type::first);
-    if (found == kPrefixes.end()) return std::nullopt;
-    return found->second;
+    constexpr std::array<std::pair<std::string_view, int>, 21> kPrefixes = {
+        {{"", 0},   {"Y", 24}, {"Z", 21},  {"E", 18},  {"P", 15},  {"T", 12},  {"G", 9},
+         {"M", 6},  {"k", 3},  {"h", 2},   {"da", 1},  {"d", -1},  {"c", -2},  {"m", -3},
+         {"u", -6}, {"n", -9}, {"p", -12}, {"f", -15}, {"a", -18}, {"z", -21}, {"y", -24}}};
+    for (const auto& [name, exponent] : kPrefixes)
+        if (name == prefix) return exponent;
+    return std::nullopt;
 }
 
 bool cut_end(std::string_view& text, std::string_view end)
@@ -41,23 +39,21 @@ std::optional<double> parse_wavelength(std::string_view text)
 {
     constexpr std::string_view kNumber = "0123456789,.+-eE";
     const std::size_t unit_at = std::min(text.find_first_not_of(kNumber), text.size());
-    // The E of exa is one of a number as well.
     std::string number(text.substr(0, unit_at));
     std::string_view unit = text.substr(unit_at);
-    std::optional<double> exa;
-    if (number.ends_with('E')) {
-        number.pop_back();
-        exa = 1e18;
-    }
+    // The E of exa is one of a number as well.
+    const bool exa = number.ends_with('E');
+    if (exa) number.pop_back();
     std::ranges::replace(number, ',', '.');
-    const auto value = parse_number(number);
     const bool frequency = cut_end(unit, "Hz");
     if (!frequency && !cut_end(unit, "m")) return std::nullopt;
     if (exa && !unit.empty()) return std::nullopt;
-    const auto factor = exa ? exa : si_factor(unit);
-    if (!value || !factor) return std::nullopt;
-    const double metres = frequency ? kLightSpeed / (*value * *factor) : *value * *factor;
-    const double nm = metres * 1e9;
+    const auto exponent = si_exponent(exa ? "E" : unit);
+    const auto value = parse_number(number);
+    if (!value || !exponent) return std::nullopt;
+    constexpr int kNano = 9;  // in powers of ten, so that nm stay as they are
+    const double nm = frequency ? kLightSpeed / (*value * std::pow(10.0, *exponent - kNano))
+                                : *value * std::pow(10.0, *exponent + kNano);
     if (!std::isfinite(nm) || !(nm > 0.0)) return std::nullopt;
     return nm;
 }

@@ -15,7 +15,8 @@ TEST(SpectralChannels, NamesOfTheLayout)
         const auto channel = parse_spectral_channel(name);
         return channel ? channel->wavelength_nm : -1.0;
     };
-    EXPECT_DOUBLE_EQ(nm("T.550,000000nm"), 550.0);
+    EXPECT_EQ(nm("T.550,000000nm"), 550.0);
+    EXPECT_EQ(nm("T.324,000000nm"), 324.0);
     EXPECT_DOUBLE_EQ(nm("S0.5,5e2nm"), 550.0);
     EXPECT_DOUBLE_EQ(nm("S0.0,55um"), 550.0);
     EXPECT_NEAR(nm("S0.545THz"), 550.0779, 1e-4);

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+
+#include <fmt/format.h>
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "bake.h"
+#include "nacre/core/diagnostics.h"
+#include "nacre/core/file_io.h"
+#include "nacre/spectral/spectrum_texture.h"
+#include "session.h"
+#include "spectrum_input.h"
+#include "table_options.h"
+#include "texture_image.h"
+
+namespace nacre::tool {
+namespace {
+
+using spectral::kTextureSamples;
+using spectral::LightSpectra;
+using spectral::MaterialSpectra;
+using spectral::Medium;
+using spectral::NamedSpectrum;
+using spectral::SpectrumKind;
+using spectral::Texture;
+using spectral::TextureSamples;
+using spectral::Vec3;
+
+struct MaterialOptions {
+    std::vector<std::string> inputs, intensities;
+    std::string output, depth;
+    bool as_they_are = false;
+    TableOptions light;
+};
+
+constexpr const char* kMaterialHelp = R"(
+INPUT is the key of a medium (nacre library list) or its refractiveindex.info YAML. A row each, 516
+texels of RGBA:
+  0 … 511  at 324 + i nm: intensity, n, k, 1; n and k as (v - min) / (max - min)
+  512      colour of the intensity, linear, 1
+  513      n min, n max, k min, k max; a .png has them in the attribute nacre:limits
+  514, 515 0
+Intensity is the reflectance in air at normal incidence, or a spectrum given by --intensity.
+
+  nacre bake material Au/Johnson Cu/Johnson -o metals.exr
+  nacre bake material water/Daimon-20C --intensity study/blue-paint -o water.ftxt)";
+
+constexpr const char* kLightsHelp = R"(
+INPUT is an illuminant, the key of an emission, or a file of spectra. Four lights a row, 516 texels of
+RGBA as nacre bake material has them:
+  0 … 511    power at 324 + i nm of the lights in R, G, B and A; 0 where there is none
+  512 … 515  colour of each of the four, linear, 1: of its power, on the same scale
+
+  nacre bake lights D65 A F11 lamp/hps -o lights.exr)";
+
+Medium read_medium(const std::string& input)
+{
+    const std::string extension = std::filesystem::path(input).extension().string();
+    if (extension == ".yml" || extension == ".yaml")
+        return spectral::parse_refractiveindex_yaml(read_text(input), input);
+    return spectral::library_medium(input);
+}
+
+NamedSpectrum read_one(const std::string& input)
+{
+    auto spectra = read_spectra_input(input);
+    if (spectra.size() != 1)
+        throw InputError({input, 0, "--intensity",
+                          fmt::format("must hold one spectrum (got {})", spectra.size())});
+    return std::move(spectra.front());
+}
+
+spectral::Sampled on_grid(const TextureSamples& samples)
+{
+    spectral::Sampled grid;
+    std::copy_n(samples.begin() + (spectral::kFirstNm - spectral::kTextureFirstNm),
+                spectral::kWavelengths, grid.begin());
+    return grid;
+}
+
+NamedSpectrum spectrum_of(const std::string& name, const TextureSamples& samples,
+                          std::optional<SpectrumKind> kind)
+{
+    return named_spectrum(name, spectral::kTextureFirstNm, {samples.begin(), samples.end()}, kind);
+}
+
+/// Divides the rows' first channel and colour by what bytes can hold of them.
+std::vector<double> fit_into_bytes(std::vector<MaterialSpectra>& materials)
+{
+    std::vector<double> divisors;
+    for (MaterialSpectra& material : materials) {
+        const double divisor = std::max({1.0, *std::ranges::max_element(material.intensity),
+                                         *std::ranges::max_element(material.colour)});
+        for (double& value : material.intensity) value /= divisor;
+        for (double& value : material.colour) value /= divisor;
+        divisors.push_back(divisor);
+    }
+    return divisors;
+}
+
+/// Takes the limits out of the texture. @return n min, n max, k min, k max of each row
+std::vector<std::vector<float>> take_limits(Texture& texture)
+{
+    std::vector<std::vector<float>> limits;
+    for (std::size_t row = 0; row < static_cast<std::size_t>(texture.height); ++row) {
+        float* texel = texture.at(kTextureSamples + 1, row);
+        limits.emplace_back(texel, texel + 4);
+        std::fill_n(texel, 4, 0.0F);
+    }
+    return limits;
+}
+
+struct Materials {
+    std::vector<MaterialSpectra> rows;
+    std::vector<NamedSpectrum> spectra;  ///< reflectance, n and k of each
+    std::vector<std::string> names, references;
+};
+
+Materials read_materials(const MaterialOptions& options, const spectral::ColourWeights& weights)
+{
+    Materials all;
+    for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+        const Medium medium = read_medium(options.inputs[i]);
+        MaterialSpectra row = material_spectra(medium, weights);
+        if (!options.intensities.empty()) {
+            row.intensity = texture_samples(read_one(options.intensities[i]));
+            row.colour = weights.apply(on_grid(row.intensity));
+        }
+        all.names.push_back(medium.key);
+        all.references.push_back(medium.references);
+        all.spectra.push_back(spectrum_of(medium.key, row.intensity, SpectrumKind::reflectance));
+        all.spectra.push_back(spectrum_of(medium.key + " n", row.n, std::nullopt));
+        all.spectra.push_back(spectrum_of(medium.key + " k", row.k, std::nullopt));
+        all.rows.push_back(row);
+    }
+    return all;
+}
+
+Attributes colour_attributes(Attributes attributes, const TableProvenance& provenance)
+{
+    attributes["nacre:observer"] = std::string(spectral::observer_name(provenance.observer));
+    attributes["nacre:space"] = provenance.space.name;
+    return attributes;
+}
+
+int bake_material(const Session& session, const MaterialOptions& options)
+{
+    const Encoding encoding = encoding_for(options.output, options.depth);
+    const bool bytes = encoding.depth == Depth::byte;
+    if (bytes && options.as_they_are)
+        throw InputError({options.output, 0, "--as-they-are",
+                          "must not be set for a .png: bytes hold nothing above 1"});
+    if (!options.intensities.empty() && options.intensities.size() != options.inputs.size())
+        throw InputError({{},
+                          0,
+                          "--intensity",
+                          fmt::format("must be given once for each of the {} INPUTs (got {})",
+                                      options.inputs.size(), options.intensities.size())});
+    const ResolvedTableOptions light = resolve(options.light);
+    const TableProvenance& provenance = light.provenance;
+    Materials materials = read_materials(
+        options, reflectance_weights(spectral::named_illuminant(provenance.illuminant),
+                                     provenance.observer, provenance.space));
+    Attributes attributes = colour_attributes(texture_attributes("materials"), provenance);
+    attributes["nacre:illuminant"] = provenance.illuminant;
+    attributes["nacre:names"] = nlohmann::json(materials.names).dump();
+    attributes["nacre:references"] = nlohmann::json(materials.references).dump();
+    if (bytes) attributes["nacre:maximum"] = nlohmann::json(fit_into_bytes(materials.rows)).dump();
+    Texture texture = spectral::pack_materials(materials.rows, !options.as_they_are);
+    if (bytes) attributes["nacre:limits"] = nlohmann::json(take_limits(texture)).dump();
+    write_texture(session, options.output, image_of(std::move(texture)), std::move(attributes),
+                  encoding, materials.spectra);
+    return kExitOk;
+}
+
+std::vector<NamedSpectrum> read_lights(const std::vector<std::string>& inputs)
+{
+    std::vector<NamedSpectrum> spectra;
+    for (const std::string& input : inputs)
+        for (NamedSpectrum& spectrum : read_spectra_input(input)) {
+            if (auto problem = kind_problem(spectrum.samples, SpectrumKind::emission))
+                throw InputError({label_of(spectrum), 0, "values", *problem});
+            spectrum.kind = SpectrumKind::emission;
+            spectra.push_back(std::move(spectrum));
+        }
+    return spectra;
+}
+
+LightSpectra light_spectra(const NamedSpectrum& spectrum, const TableProvenance& provenance)
+{
+    LightSpectra light{.power = texture_samples(spectrum), .colour = {}};
+    light.colour = multiply(provenance.space.from_xyz_d65,
+                            spectral::emission_to_xyz(on_grid(light.power), provenance.observer));
+    return light;
+}
+
+/// Divides each light by what bytes can hold of it.
+std::vector<double> fit_into_bytes(std::vector<LightSpectra>& lights)
+{
+    std::vector<double> divisors;
+    for (LightSpectra& light : lights) {
+        const double divisor = std::max(*std::ranges::max_element(light.power),
+                                        *std::ranges::max_element(light.colour));
+        for (double& value : light.power) value /= divisor;
+        for (double& value : light.colour) value /= divisor;
+        divisors.push_back(divisor);
+    }
+    return divisors;
+}
+
+int bake_lights(const Session& session, const MaterialOptions& options)
+{
+    const Encoding encoding = encoding_for(options.output, options.depth);
+    const TableProvenance provenance = resolve(options.light).provenance;
+    const std::vector<NamedSpectrum> spectra = read_lights(options.inputs);
+    std::vector<LightSpectra> lights;
+    for (const NamedSpectrum& spectrum : spectra)
+        lights.push_back(light_spectra(spectrum, provenance));
+    Attributes attributes = colour_attributes(texture_attributes("lights"), provenance);
+    describe_spectra(attributes, spectra);
+    attributes["nacre:count"] = static_cast<int>(lights.size());
+    if (encoding.depth == Depth::byte)
+        attributes["nacre:maximum"] = nlohmann::json(fit_into_bytes(lights)).dump();
+    write_texture(session, options.output, image_of(spectral::pack_lights(lights)),
+                  std::move(attributes), encoding, spectra);
+    return kExitOk;
+}
+
+CLI::App* add_command(CLI::App& bake, const char* name, const char* description, const char* help,
+                      MaterialOptions& options)
+{
+    CLI::App* command = bake.add_subcommand(name, description);
+    command->fallthrough()->footer(help);
+    command->add_option("INPUT", options.inputs)->required();
+    command
+        ->add_option("-o,--output", options.output, ".exr or .tx (float, half), .ftxt, .png (byte)")
+        ->required();
+    command->add_option("--depth", options.depth, "default: float, in a PNG byte")
+        ->check(CLI::IsMember({"float", "half", "byte"}));
+    return command;
+}
+
+}  // namespace
+
+void add_bake_material(CLI::App& bake_command, Session& session)
+{
+    const auto options = std::make_shared<MaterialOptions>();
+    CLI::App* material =
+        add_command(bake_command, "material", "intensity, n and k of media, and their colours",
+                    kMaterialHelp, *options);
+    material->add_option("--intensity", options->intensities,
+                         "a spectrum for each INPUT in place of its reflectance");
+    material->add_flag("--as-they-are", options->as_they_are, "n and k without normalising");
+    add_light_options(*material, options->light);
+    material->callback([&session, options] {
+        session.run = [&session, options] { return bake_material(session, *options); };
+    });
+
+    const auto light_options = std::make_shared<MaterialOptions>();
+    CLI::App* lights = add_command(bake_command, "lights", "lights, four a row, and their colours",
+                                   kLightsHelp, *light_options);
+    lights->add_option("--observer", light_options->light.observer, "cie1931, cie1964")
+        ->capture_default_str();
+    add_colour_target_options(*lights, light_options->light.colour);
+    lights->callback([&session, light_options] {
+        session.run = [&session, light_options] { return bake_lights(session, *light_options); };
+    });
+}
+
+}  // namespace nacre::tool

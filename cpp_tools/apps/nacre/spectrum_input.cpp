@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "spectrum_input.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/core/file_io.h"
+#include "nacre/spectral/illuminant.h"
+#include "nacre/spectral/spectrum_library.h"
+
+namespace nacre::tool {
+
+using spectral::NamedSpectrum;
+using spectral::SpectrumKind;
+
+NamedSpectrum named_spectrum(std::string name, double first_nm, std::vector<double> values,
+                             std::optional<SpectrumKind> kind)
+{
+    std::vector<double> wavelengths(values.size());
+    for (std::size_t i = 0; i < values.size(); ++i)
+        wavelengths[i] = first_nm + static_cast<double>(i);
+    return {.key = {},
+            .name = std::move(name),
+            .references = {},
+            .licence = {},
+            .comments = {},
+            .tags = {},
+            .kind = kind,
+            .samples = {std::move(wavelengths), std::move(values)}};
+}
+
+bool is_texture_file(const std::string& file)
+{
+    constexpr std::array<std::string_view, 4> kExtensions = {".exr", ".tx", ".png", ".ftxt"};
+    const std::string extension = std::filesystem::path(file).extension().string();
+    return std::ranges::find(kExtensions, extension) != kExtensions.end();
+}
+
+std::vector<NamedSpectrum> read_spectra_file(const std::string& file)
+{
+    if (is_texture_file(file))
+        return spectra_of_image(read_image(file, AlphaMeaning::number), file);
+    return spectral::read_spectra(read_text(file), file);
+}
+
+namespace {
+
+NamedSpectrum spectrum_of_light(const std::string& name)
+{
+    const spectral::Illuminant light = spectral::named_illuminant(name);
+    NamedSpectrum spectrum =
+        named_spectrum(light.name, spectral::kFirstNm, {light.power.begin(), light.power.end()},
+                       SpectrumKind::emission);
+    spectrum.key = name;
+    return spectrum;
+}
+
+bool has_key(const std::string& key)
+{
+    const auto keys = spectral::library_spectrum_keys();
+    return std::ranges::binary_search(keys, key);
+}
+
+}  // namespace
+
+std::vector<NamedSpectrum> read_spectra_input(const std::string& input)
+{
+    if (std::filesystem::is_regular_file(input)) {
+        std::vector<NamedSpectrum> spectra = read_spectra_file(input);
+        for (std::size_t i = 0; i < spectra.size(); ++i)
+            if (spectra[i].name.empty())
+                spectra[i].name = fmt::format("{}{}", std::filesystem::path(input).stem().string(),
+                                              spectra.size() > 1 ? fmt::format(" {}", i + 1) : "");
+        return spectra;
+    }
+    if (has_key(input)) return {spectral::library_spectrum(input)};
+    // What looks like a key gets the message that knows near ones.
+    if (is_texture_file(input)) (void)read_text(input);
+    const bool like_key = input.find('/') != std::string::npos;
+    if (like_key && input.find('.') == std::string::npos)
+        return {spectral::library_spectrum(input)};
+    try {
+        return {spectrum_of_light(input)};
+    } catch (const InputError& error) {
+        throw InputError({input, 0, "INPUT",
+                          fmt::format("must be a file, the key of a spectrum (nacre library list) "
+                                      "or an illuminant; as one it {}",
+                                      error.diagnostics().front().message)});
+    }
+}
+
+}  // namespace nacre::tool
