@@ -218,6 +218,7 @@ int bake_lights(const Session& session, const MaterialOptions& options)
     const TableProvenance provenance = resolve(options.light).provenance;
     const std::vector<NamedSpectrum> spectra = read_lights(options.inputs);
     std::vector<LightSpectra> lights;
+    lights.reserve(spectra.size());
     for (const NamedSpectrum& spectrum : spectra)
         lights.push_back(light_spectra(spectrum, provenance));
     Attributes attributes = colour_attributes(texture_attributes("lights"), provenance);

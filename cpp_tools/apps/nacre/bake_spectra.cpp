@@ -66,14 +66,19 @@ std::vector<NamedSpectrum> read_inputs(const SpectraOptions& options)
     return spectra;
 }
 
-TextureSamples samples_of(const NamedSpectrum& spectrum)
+std::vector<TextureSamples> samples_of(const std::vector<NamedSpectrum>& spectra)
 {
-    try {
-        return texture_samples(spectrum);
-    } catch (const InputError& error) {
-        throw InputError(
-            {label_of(spectrum), 0, "wavelength_nm", error.diagnostics().front().message});
+    std::vector<TextureSamples> samples;
+    samples.reserve(spectra.size());
+    for (const NamedSpectrum& spectrum : spectra) {
+        try {
+            samples.push_back(texture_samples(spectrum));
+        } catch (const InputError& error) {
+            throw InputError(
+                {label_of(spectrum), 0, "wavelength_nm", error.diagnostics().front().message});
+        }
     }
+    return samples;
 }
 
 /// The divisor of each spectrum in bytes. @throws InputError for a value below 0
@@ -98,8 +103,7 @@ void bake_texture(const Session& session, const SpectraOptions& options,
                   const std::vector<NamedSpectrum>& spectra)
 {
     const Encoding encoding = encoding_for(options.output, options.depth);
-    std::vector<TextureSamples> samples;
-    for (const NamedSpectrum& spectrum : spectra) samples.push_back(samples_of(spectrum));
+    std::vector<TextureSamples> samples = samples_of(spectra);
     Attributes attributes = texture_attributes("spectra");
     describe_spectra(attributes, spectra);
     attributes["nacre:layout"] = options.layout;
@@ -163,8 +167,7 @@ void bake_image(const Session& session, const SpectraOptions& options,
     if (encoding.container != Container::exr)
         throw InputError({options.output, 0, "-o", "must end in .exr for --layout image"});
     const SpectrumKind kind = common_kind(spectra);
-    std::vector<TextureSamples> samples;
-    for (const NamedSpectrum& spectrum : spectra) samples.push_back(samples_of(spectrum));
+    const std::vector<TextureSamples> samples = samples_of(spectra);
     Attributes attributes = texture_attributes("spectra");
     describe_spectra(attributes, spectra);
     attributes["nacre:layout"] = "image";

@@ -95,7 +95,7 @@ Image image_of(spectral::Texture texture)
     return {texture.width, texture.height, std::move(channels), std::move(texture.texels)};
 }
 
-void write_texture(const Session& session, const std::string& output, Image image,
+void write_texture(const Session& session, const std::string& output, const Image& image,
                    Attributes attributes, const Encoding& encoding,
                    const std::vector<NamedSpectrum>& spectra)
 {
@@ -128,6 +128,7 @@ std::string spectra_csv(const std::vector<NamedSpectrum>& spectra)
     text += "\n";
     const std::vector<double> rows(wavelengths.begin(), wavelengths.end());
     std::vector<std::vector<double>> columns;
+    columns.reserve(spectra.size());
     for (const NamedSpectrum& spectrum : spectra) columns.push_back(spectrum.values_at(rows));
     for (std::size_t i = 0; i < rows.size(); ++i) {
         fmt::format_to(std::back_inserter(text), "{}", rows[i]);

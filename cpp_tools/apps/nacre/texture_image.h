@@ -31,7 +31,7 @@ void describe_spectra(Attributes& attributes, const std::vector<spectral::NamedS
 /// Writes the image, stating in nacre:error by how much spectra that are read back are off, and
 /// warning where that is a byte's doing.
 /// @param spectra  what the texture holds, in the order in which spectra_of_image() returns them
-void write_texture(const Session& session, const std::string& output, Image image,
+void write_texture(const Session& session, const std::string& output, const Image& image,
                    Attributes attributes, const Encoding& encoding,
                    const std::vector<spectral::NamedSpectrum>& spectra);
 
