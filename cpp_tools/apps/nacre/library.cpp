@@ -89,6 +89,7 @@ void add_library(CLI::App& app, Session& session)
     add_library_list(*library, session);
     add_library_show(*library, session);
     add_check(*library, session);
+    add_library_define(*library, session);
     add_library_import(*library, session);
 
     CLI::App* schema = library->add_subcommand("schema", "JSON Schema of templates, for editors");

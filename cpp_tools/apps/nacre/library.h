@@ -9,6 +9,7 @@
 
 namespace nacre::tool {
 
+void add_library_define(CLI::App& library, Session& session);
 void add_library_import(CLI::App& library, Session& session);
 void add_library_list(CLI::App& library, Session& session);
 void add_library_show(CLI::App& library, Session& session);

@@ -143,6 +143,7 @@ void add_library_show(CLI::App& library, Session& session)
     show->add_option("--at", options->wavelengths_nm, "wavelength in nm; may be repeated")
         ->type_name("NM")
         ->expected(1)
+        ->allow_extra_args(false)
         ->take_all();
     show->add_option("--kind", options->kind, "medium or spectrum, where both have the key")
         ->check(CLI::IsMember({"medium", "spectrum"}));
