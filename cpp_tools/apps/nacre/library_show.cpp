@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "library.h"
+#include "library_plot.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/optical_constants.h"
 #include "nacre/spectral/spectrum_library.h"
@@ -22,7 +23,7 @@ using spectral::Medium;
 using spectral::NamedSpectrum;
 
 struct ShowOptions {
-    std::string key, kind;
+    std::string key, kind, plot;
     std::vector<double> wavelengths_nm;
 };
 
@@ -35,6 +36,7 @@ std::string line(std::string_view word, const std::string& text)
 int show_medium(const Session& session, const ShowOptions& options)
 {
     const Medium& medium = spectral::library_medium(options.key);
+    if (!options.plot.empty()) write_plot(options.plot, plot_of(medium));
     ordered_json at = ordered_json::array();
     std::string values;
     for (const double nm : options.wavelengths_nm) {
@@ -69,6 +71,7 @@ int show_medium(const Session& session, const ShowOptions& options)
 int show_spectrum(const Session& session, const ShowOptions& options)
 {
     const NamedSpectrum& spectrum = spectral::library_spectrum(options.key);
+    if (!options.plot.empty()) write_plot(options.plot, plot_of(spectrum));
     ordered_json at = ordered_json::array();
     std::string values;
     for (const double nm : options.wavelengths_nm) {
@@ -105,6 +108,7 @@ int show_spectrum(const Session& session, const ShowOptions& options)
 /// Media and spectra have keys of their own; --kind decides where both have one.
 int show_entry(const Session& session, const ShowOptions& options)
 {
+    if (!options.plot.empty()) check_plot_file(options.plot);
     const auto has = [&](const std::vector<std::string>& keys) {
         return std::ranges::find(keys, options.key) != keys.end();
     };
@@ -138,7 +142,7 @@ void add_library_show(CLI::App& library, Session& session)
         library.add_subcommand("show", "range, citation and values of a medium or a spectrum");
     show->fallthrough()->footer(
         "\n  nacre library show Fe/Johnson --at 550 --at 633 --json\n"
-        "  nacre library show colorchecker/dark-skin");
+        "  nacre library show colorchecker/dark-skin --plot dark-skin.svg");
     show->add_option("KEY", options->key, "as nacre library list prints it")->required();
     show->add_option("--at", options->wavelengths_nm, "wavelength in nm; may be repeated")
         ->type_name("NM")
@@ -147,6 +151,8 @@ void add_library_show(CLI::App& library, Session& session)
         ->take_all();
     show->add_option("--kind", options->kind, "medium or spectrum, where both have the key")
         ->check(CLI::IsMember({"medium", "spectrum"}));
+    show->add_option("--plot", options->plot, "a picture of it, too: .svg or .png")
+        ->type_name("FILE");
     show->callback([&session, options] {
         session.run = [&session, options] { return show_entry(session, *options); };
     });

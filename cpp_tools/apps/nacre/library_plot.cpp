@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "library_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "colour_target.h"
+#include "nacre/spectral/colour.h"
+#include "nacre/spectral/gamut.h"
+#include "plot_colours.h"
+
+namespace nacre::tool {
+namespace {
+
+using spectral::Complex;
+using spectral::Medium;
+using spectral::NamedSpectrum;
+using spectral::Sampled;
+using spectral::Vec3;
+
+constexpr Paint kInk = {0.13, 0.14, 0.16};
+constexpr Paint kBlue = {0.08, 0.33, 0.62};
+constexpr Paint kRed = {0.75, 0.22, 0.13};
+constexpr auto kEye = spectral::ObserverId::cie1931;
+
+/// What of a range is shown: 300 … 1000 nm, or all where it has nothing of that.
+std::array<double, 2> shown(double first, double last)
+{
+    const double low = std::max(first, 300.0), high = std::min(last, 1000.0);
+    if (low < high) return {low, high};
+    return {first, last};
+}
+
+/// Each nanometre and both ends; a wide range in as many steps.
+std::vector<double> wavelengths(double first, double last)
+{
+    constexpr double kMost = 1000.0;
+    std::vector<double> result = {first};
+    const double step = std::max(1.0, (last - first) / kMost);
+    for (double nm = std::floor(first) + step; nm < last; nm += step)
+        if (nm > first) result.push_back(nm);
+    result.push_back(last);
+    return result;
+}
+
+std::string joined(std::initializer_list<std::string> parts)
+{
+    std::string text;
+    for (const std::string& part : parts)
+        if (!part.empty()) text += (text.empty() ? "" : "  ·  ") + part;
+    return text;
+}
+
+std::string three(const Vec3& numbers)
+{
+    return fmt::format("{:.3f} {:.3f} {:.3f}", numbers[0], numbers[1], numbers[2]);
+}
+
+/// Swatch and numbers of a colour.
+void add_colour(Plot& plot, const Vec3& xyz, const Vec3& rgb, const Vec3& screen)
+{
+    plot.swatch = screen_paint(screen);
+    const auto xy = spectral::xyz_to_xy(xyz);
+    plot.facts.insert(plot.facts.end(), {{"sRGB", hexadecimal(*plot.swatch)},
+                                         {"rgb", three(rgb)},
+                                         {"XYZ", three(xyz)},
+                                         {"xy", fmt::format("{:.4f} {:.4f}", xy[0], xy[1])}});
+}
+
+void add_reflectance(Plot& plot, const Sampled& reflectance)
+{
+    const auto light = spectral::named_illuminant("D65");
+    const auto weights =
+        spectral::reflectance_weights(light, kEye, spectral::colour_space("lin_rec709_scene"));
+    const Vec3 rgb = weights.apply(reflectance);
+    add_colour(plot, spectral::reflectance_to_xyz(reflectance, light, kEye), rgb, rgb);
+}
+
+void add_emission(Plot& plot, const Sampled& power)
+{
+    Vec3 xyz = spectral::emission_to_xyz(power, kEye);
+    const double luminance = xyz[1];
+    if (!(luminance > 0.0)) return;
+    for (double& value : xyz) value /= luminance;
+    const auto& space = spectral::colour_space("lin_rec709_scene");
+    const Vec3 rgb = multiply(space.from_xyz_d65, xyz);
+    add_colour(plot, xyz, rgb,
+               map_to_gamut(rgb, spectral::GamutMapping::scale, space.to_xyz_d65[1]));
+    if (const auto white = spectral::colour_temperature(xyz)) {
+        plot.facts.push_back({"CCT", fmt::format("{:.0f} K", white->cct_kelvin)});
+        plot.facts.push_back({"Duv", fmt::format("{:+.4f}", white->duv)});
+    }
+}
+
+/// From a round number to another around all values; of one value some room around it.
+Axis axis_around(const std::vector<double>& values, double low, double from, double to)
+{
+    const auto [least, most] = std::ranges::minmax(values);
+    low = std::min(low, least);
+    const double room = most > low ? 0.0 : 0.1 * std::max(1.0, std::abs(most));
+    return Axis::rounded(low - room, most + room, from, to);
+}
+
+Axis vertical_axis(const std::vector<double>& values, double low)
+{
+    return axis_around(values, low, kPlotArea.bottom, kPlotArea.top);
+}
+
+/// Logarithmic where k spans more than two decades.
+Axis absorption_axis(const std::vector<double>& k)
+{
+    double least = std::ranges::max(k);
+    const double most = least;
+    for (const double value : k)
+        if (value > 0.0) least = std::min(least, value);
+    if (most <= 100.0 * least) return vertical_axis(k, 0.0);
+    constexpr double kDeepest = 1e-10;  // of the highest
+    return Axis::decades(std::max(least, most * kDeepest), most, kPlotArea.bottom, kPlotArea.top);
+}
+
+bool is_visible(const std::array<double, 2>& range)
+{
+    return range[0] <= 450.0 && range[1] >= 650.0;
+}
+
+/// At normal incidence from air; beyond the constants as at their ends.
+Sampled surface_reflectance(const Medium& medium)
+{
+    const auto [first, last] = medium.constants->range_nm();
+    Sampled reflectance;
+    for (std::size_t i = 0; i < spectral::kWavelengths; ++i) {
+        const Complex n = medium.constants->at(std::clamp(spectral::wavelength_nm(i), first, last));
+        reflectance[i] = std::norm((n - 1.0) / (n + 1.0));
+    }
+    return reflectance;
+}
+
+/// Of glass: n at the lines d, F and C, and the Abbe number.
+void add_dispersion(Plot& plot, const Medium& medium)
+{
+    const auto n = [&medium](double nm) { return medium.constants->at(nm).real(); };
+    const double blue = n(486.1327), yellow = n(587.5618), red = n(656.2725);
+    plot.facts.push_back({"n_d", fmt::format("{:.5f}", yellow)});
+    plot.facts.push_back({"n_F", fmt::format("{:.5f}", blue)});
+    plot.facts.push_back({"n_C", fmt::format("{:.5f}", red)});
+    if (blue != red)
+        plot.facts.push_back({"V_d", fmt::format("{:.2f}", (yellow - 1.0) / (blue - red))});
+}
+
+std::string title_of(const std::string& name, const std::string& key)
+{
+    return name.empty() ? key : name;
+}
+
+}  // namespace
+
+Plot plot_of(const NamedSpectrum& spectrum)
+{
+    const bool emission = spectrum.kind == spectral::SpectrumKind::emission;
+    Plot plot;
+    plot.title = title_of(spectrum.name, spectrum.key);
+    plot.subtitle =
+        joined({spectrum.key, emission ? "emission" : "reflectance", spectrum.comments});
+    plot.citation = joined({spectrum.references, spectrum.licence});
+    const auto [first, last] = shown(spectrum.samples.first_nm(), spectrum.samples.last_nm());
+    plot.wavelengths_nm = wavelengths(first, last);
+    std::vector<double> values = spectrum.values_at(plot.wavelengths_nm);
+    Axis axis = vertical_axis(values, 0.0);
+    plot.curves.push_back(
+        {emission ? "relative power" : "reflectance", std::move(values), std::move(axis), kInk});
+    plot.filled = true;
+    if (last < spectral::kFirstNm || first > spectral::kLastNm) return plot;
+    plot.caption = emission ? "chromaticity, Y = 1" : "under D65";
+    if (emission)
+        add_emission(plot, spectrum.on_grid());
+    else
+        add_reflectance(plot, spectrum.on_grid());
+    return plot;
+}
+
+Plot plot_of(const Medium& medium)
+{
+    Plot plot;
+    plot.title = title_of(medium.name, medium.key);
+    plot.subtitle =
+        joined({medium.key, medium.formula, fmt::format("{}", fmt::join(medium.tags, ", "))});
+    plot.citation = medium.references;
+    const auto [first, last] = medium.constants->range_nm();
+    const auto range = shown(first, last);
+    plot.wavelengths_nm = wavelengths(range[0], range[1]);
+    std::vector<double> n, k;
+    for (const double nm : plot.wavelengths_nm) {
+        const Complex index = medium.constants->at(nm);
+        n.push_back(index.real());
+        k.push_back(index.imag());
+    }
+    constexpr double kClear = 1e-3;
+    const double absorption = std::ranges::max(k);
+    Axis n_axis = vertical_axis(n, std::ranges::min(n));
+    plot.curves.push_back({"n", std::move(n), std::move(n_axis), kBlue});
+    if (absorption > 0.0) {
+        Axis axis = absorption_axis(k);
+        plot.curves.push_back({"k", std::move(k), std::move(axis), kRed});
+    }
+    if (!is_visible(range)) return plot;
+    if (absorption > kClear) {
+        plot.caption = "reflects at normal incidence, under D65";
+        add_reflectance(plot, surface_reflectance(medium));
+    } else if (range[0] <= 486.0 && range[1] >= 657.0) {
+        add_dispersion(plot, medium);
+    }
+    return plot;
+}
+
+}  // namespace nacre::tool
