@@ -80,6 +80,38 @@ def test_optical_constants(nacre, tmp_path, own_library):
     nacre.ok("library", "check", write(tmp_path, "film.json", json.dumps(film)))
 
 
+ETA = "300 1.5\n400 0.5\n700 1.1\n"
+K = "350 2\n600 4\n800 6\n"
+
+
+@pytest.mark.parametrize("kind", [(), ("--kind", "medium")])
+def test_a_metal_as_pbrt_has_it(nacre, tmp_path, kind):
+    pair = (write(tmp_path, "Au.k.spd", K), write(tmp_path, "Au.eta.spd", ETA))
+    nacre.ok("library", "import", *pair, *kind, "--citation", "me")
+    shown = json.loads(nacre.ok("library", "show", "user/Au", "--at", "600", "--json"))
+    assert (shown["references"], shown["range_nm"]) == ("me", [350, 700])
+    assert shown["at"] == [pytest.approx({"wavelength_nm": 600, "n": 0.9, "k": 4})]
+    lamp = write(tmp_path, "lamp.csv", "wavelength_nm,n,k\n300,1.5,0\n900,1.4,0.5\n")
+    out = nacre.ok("library", "import", *pair, lamp, "--kind", "medium", "--as", "metal", "--json")
+    assert [entry["key"] for entry in json.loads(out)] == ["metal/Au", "metal/lamp"]
+    nacre.ok("library", "import", *pair, *kind, "--as", "gold")
+    assert json.loads(nacre.ok("library", "show", "gold", "--json"))["range_nm"] == [350, 700]
+
+
+def test_half_a_metal_is_refused(nacre, tmp_path, own_library):
+    eta = write(tmp_path, "Au.eta.spd", ETA)
+    k = write(tmp_path, "Au.k.spd", K)
+    errors = nacre.fails("library", "import", eta)
+    assert f"{eta}: must come with {k}, n and k of one medium" in errors
+    errors = nacre.fails("library", "import", k, "--kind", "medium")
+    assert f"{k}: must come with {eta}, n and k of one medium" in errors
+    write(tmp_path, "Au.k.spd", "900 1\n950 1\n")
+    assert f"{k}: wavelength: must overlap 300 … 700 nm" in nacre.fails("library", "import", eta, k)
+    assert not own_library.exists()
+    nacre.ok("library", "import", eta, "--kind", "emission")
+    assert spectrum(nacre, "user/Au.eta")["values"] == [1.5, 0.5, 1.1]
+
+
 def test_citation_licence_scale_and_replace(nacre, tmp_path):
     path = write(tmp_path, "p.csv", "400,50\n700,25\n")
     arguments = ("library", "import", path, "--kind", "reflectance", "--as", "p")

@@ -33,6 +33,13 @@ struct ImportOptions {
     std::string key, kind, citation, licence;
     double scale = 1.0;
     bool replace = false;
+    bool alone = true;  ///< one source, whose key may be given
+};
+
+/// One file, or two of one medium.
+struct Source {
+    std::string file;
+    std::string k_file;  ///< of a pair of pbrt's; `file` then has n
 };
 
 /// A name as one part of a key: what keys do not have becomes a hyphen.
@@ -51,10 +58,41 @@ std::string key_part(const std::string& name)
     return part;
 }
 
+constexpr std::string_view kEta = ".eta.spd", kK = ".k.spd";
+
+/// Files one by one, but for pairs; those have the place of their first.
+/// @throws InputError for half a pair
+std::vector<Source> sources_of(const ImportOptions& options)
+{
+    std::vector<Source> sources;
+    DiagnosticList problems;
+    const auto given = [&options](const std::string& file) {
+        return std::ranges::find(options.files, file) != options.files.end();
+    };
+    // A spectrum may be called so, too, where --kind tells that it is one.
+    const bool pairs = options.kind.empty() || options.kind == "medium";
+    for (const std::string& file : options.files) {
+        const bool n = pairs && file.ends_with(kEta), k = pairs && file.ends_with(kK);
+        if (!n && !k) {
+            sources.push_back({file, {}});
+            continue;
+        }
+        const std::string stem = file.substr(0, file.size() - (n ? kEta : kK).size());
+        const Source pair = {fmt::format("{}{}", stem, kEta), fmt::format("{}{}", stem, kK)};
+        const auto same = [&pair](const Source& source) { return source.k_file == pair.k_file; };
+        if (const std::string& other = n ? pair.k_file : pair.file; !given(other))
+            problems.add({file, 0, {}, "must come with " + other + ", n and k of one medium"});
+        else if (std::ranges::none_of(sources, same))
+            sources.push_back(pair);
+    }
+    problems.throw_if_any();
+    return sources;
+}
+
 /// `--as KEY` is the key of one file, or the folder of several; without it the folder is `user`.
 std::string key_of_file(const ImportOptions& options, const std::string& file)
 {
-    if (!options.key.empty() && options.files.size() == 1) return options.key;
+    if (!options.key.empty() && options.alone) return options.key;
     const std::string part = key_part(std::filesystem::path(file).stem().string());
     return fmt::format("{}/{}", options.key.empty() ? "user" : options.key,
                        part.empty() ? "entry" : part);
@@ -127,8 +165,18 @@ std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::str
     return entries;
 }
 
-std::vector<UserEntry> read_file(const ImportOptions& options, const std::string& file)
+UserEntry read_pair(const ImportOptions& options, const Source& pair)
 {
+    std::string text = spectral::refractiveindex_yaml_from_spd(
+        read_text(pair.file), pair.file, read_text(pair.k_file), pair.k_file, options.citation);
+    const std::string metal = pair.k_file.substr(0, pair.k_file.size() - kK.size());
+    return {EntryKind::medium, key_of_file(options, metal + ".spd"), std::move(text)};
+}
+
+std::vector<UserEntry> read_source(const ImportOptions& options, const Source& source)
+{
+    if (!source.k_file.empty()) return {read_pair(options, source)};
+    const std::string& file = source.file;
     const std::string extension = std::filesystem::path(file).extension().string();
     const bool yaml = extension == ".yml" || extension == ".yaml";
     if (yaml && !options.kind.empty() && options.kind != "medium")
@@ -137,16 +185,19 @@ std::vector<UserEntry> read_file(const ImportOptions& options, const std::string
     return read_spectra(options, file);
 }
 
-int import_files(const Session& session, const ImportOptions& options)
+int import_files(const Session& session, ImportOptions options)
 {
     if (!std::isfinite(options.scale) || !(options.scale > 0.0))
         throw InputError(
             {{}, 0, "--scale", fmt::format("must be finite and > 0 (got {:g})", options.scale)});
     std::vector<UserEntry> entries;
     DiagnosticList problems;
-    for (const std::string& file : options.files) {
+    const std::vector<Source> sources = sources_of(options);
+    options.alone = sources.size() == 1;
+    for (const Source& source : sources) {
         try {
-            for (UserEntry& entry : read_file(options, file)) entries.push_back(std::move(entry));
+            for (UserEntry& entry : read_source(options, source))
+                entries.push_back(std::move(entry));
         } catch (const InputError& error) {
             for (const Diagnostic& diagnostic : error.diagnostics()) problems.add(diagnostic);
         }
@@ -177,7 +228,8 @@ void add_library_import(CLI::App& library, Session& session)
         "\n  nacre library import my_glass.yml --as glass/mine\n"
         "  nacre library import lamp.spdx --citation \"data sheet of the maker\"\n"
         "  nacre library import chart.cgats --kind reflectance --as chart\n"
-        "  nacre library import film.csv --kind medium");
+        "  nacre library import film.csv --kind medium\n"
+        "  nacre library import Au.eta.spd Au.k.spd");
     command
         ->add_option("FILE", options->files,
                      "refractiveindex.info YAML (.yml), .csv, .spd, IES TM-27-14 (.spdx), CGATS, "

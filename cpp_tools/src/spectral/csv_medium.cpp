@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "medium_yaml.h"
 #include "nacre/spectral/optical_constants.h"
 #include "number_table.h"
 
@@ -37,17 +38,6 @@ Columns find_columns(const NumberTables& read, const std::string& file)
     return columns;
 }
 
-/// As YAML has it between double quotes.
-std::string quoted_text(const std::string& text)
-{
-    std::string quoted = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') quoted += '\\';
-        quoted += c;
-    }
-    return quoted + "\"";
-}
-
 }  // namespace
 
 std::string refractiveindex_yaml_from_csv(std::string_view text, std::string_view name,
@@ -57,24 +47,19 @@ std::string refractiveindex_yaml_from_csv(std::string_view text, std::string_vie
     NumberTables read = read_number_tables(text, name);
     const auto [table, n, k] = find_columns(read, file);
     FileProblems problems(file);
-    std::string rows;
     for (std::size_t i = 0; i < n->size(); ++i) {
         if (!((*n)[i] > 0.0))
             problems.add(table->lines[i], "n", fmt::format("must be > 0 (got {:g})", (*n)[i]));
         if (k && !((*k)[i] >= 0.0))
             problems.add(table->lines[i], "k", fmt::format("must be ≥ 0 (got {:g})", (*k)[i]));
-        rows += fmt::format("        {} {}", table->wavelengths_nm[i] / 1000.0, (*n)[i]);
-        rows += k ? fmt::format(" {}\n", (*k)[i]) : "\n";
     }
     problems.throw_if_any();
-    std::string yaml;
-    if (const std::string& given = read.comments["NAME"]; !given.empty())
-        yaml += fmt::format("NAMES:\n  - {}\n", quoted_text(given));
-    const std::string citation =
-        clean_text(references.empty() ? read.comments["REFERENCES"] : std::string(references));
-    if (!citation.empty()) yaml += fmt::format("REFERENCES: {}\n", quoted_text(citation));
-    return fmt::format("{}DATA:\n  - type: tabulated {}\n    data: |\n{}", yaml, k ? "nk" : "n",
-                       rows);
+    return medium_yaml(
+        {.name = read.comments["NAME"],
+         .references = references.empty() ? read.comments["REFERENCES"] : std::string(references),
+         .wavelengths_nm = table->wavelengths_nm,
+         .n = *n,
+         .k = k});
 }
 
 }  // namespace nacre::spectral

@@ -70,6 +70,15 @@ struct Medium {
                                                         std::string_view name,
                                                         std::string_view references);
 
+/// The same of a pair of `.spd` files as pbrt has them of metals, `Au.eta.spd` and `Au.k.spd`: at
+/// the wavelengths of both, linear in between, over the range that they share.
+/// @throws InputError with all that is wrong with either.
+[[nodiscard]] std::string refractiveindex_yaml_from_spd(std::string_view n_text,
+                                                        std::string_view n_name,
+                                                        std::string_view k_text,
+                                                        std::string_view k_name,
+                                                        std::string_view references);
+
 /// A medium that comes with Nacre or is the user's own, by key; `air` and `vacuum` are n = 1.
 /// Thread-safe; the reference stays valid.
 /// @throws InputError for an unknown key; the message names near matches.

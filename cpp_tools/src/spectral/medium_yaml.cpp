@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "medium_yaml.h"
+
+#include <fmt/format.h>
+
+#include "text_lines.h"
+
+namespace nacre::spectral {
+
+namespace {
+
+/// As YAML has it between double quotes.
+std::string quoted_text(const std::string& text)
+{
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return quoted + "\"";
+}
+
+}  // namespace
+
+std::string medium_yaml(const MediumTable& table)
+{
+    std::string yaml;
+    if (!table.name.empty()) yaml += fmt::format("NAMES:\n  - {}\n", quoted_text(table.name));
+    if (const std::string citation = clean_text(table.references); !citation.empty())
+        yaml += fmt::format("REFERENCES: {}\n", quoted_text(citation));
+    yaml += fmt::format("DATA:\n  - type: tabulated {}\n    data: |\n", table.k ? "nk" : "n");
+    for (std::size_t i = 0; i < table.n.size(); ++i) {
+        yaml += fmt::format("        {} {}", table.wavelengths_nm[i] / 1000.0, table.n[i]);
+        yaml += table.k ? fmt::format(" {}\n", (*table.k)[i]) : "\n";
+    }
+    return yaml;
+}
+
+}  // namespace nacre::spectral
