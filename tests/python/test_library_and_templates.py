@@ -114,6 +114,28 @@ def test_unknown_spectra_and_kinds():
         nacre.library.keys("lamps")
 
 
+def test_search_by_words_and_tags():
+    metals = nacre.library.keys(tag="metal")
+    assert "Au/Johnson" in metals
+    every = nacre.library.keys()
+    assert metals == [key for key in every if "metal" in nacre.library.medium(key).tags]
+    silver = nacre.library.keys(search="SILVER", tag="metal")
+    assert "Ag/Johnson" in silver
+    assert set(silver) < set(metals)
+    assert "ethanol/Chang" in nacre.library.keys(search="c2h6o")
+    assert nacre.library.keys("spectra", search="dark skin") == ["colorchecker/dark-skin"]
+    assert nacre.library.keys(search="no such thing") == []
+    with pytest.raises(nacre.NacreError, match="search: must be text"):
+        nacre.library.keys(search=1)
+
+
+def test_media_and_spectra_say_their_tags():
+    assert nacre.library.medium("TiO2/Devore-o").formula == "TiO2"
+    assert nacre.library.medium("brass/Querry-Cu70Zn30").tags == ("metal", "alloy")
+    assert nacre.library.spectrum("study/box").tags == ("study",)
+    assert nacre.library.medium("air").tags == ("gas",)
+
+
 @pytest.mark.parametrize("name", sorted(path.stem for path in TEMPLATES.glob("*.toml")))
 def test_shipped_templates_compile(name):
     text = (TEMPLATES / f"{name}.toml").read_text("utf-8")

@@ -13,6 +13,7 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
 #include "nacre/spectral/colour.h"
+#include "nacre/spectral/library_search.h"
 #include "nacre/spectral/optical_constants.h"
 #include "nacre/spectral/spectrum_library.h"
 #include "nacre/spectral/user_library.h"
@@ -47,11 +48,6 @@ bool matches(const std::string& text, const std::string& filter)
     return std::search(text.begin(), text.end(), filter.begin(), filter.end(), same) != text.end();
 }
 
-bool is_tagged(const std::vector<std::string>& tags, const std::string& tag)
-{
-    return tag.empty() || std::ranges::find(tags, tag) != tags.end();
-}
-
 const char* owner(EntryKind kind, const std::string& key)
 {
     return spectral::user_library_file(kind, key) ? "user" : "nacre";
@@ -60,11 +56,7 @@ const char* owner(EntryKind kind, const std::string& key)
 void list_medium(const std::string& key, const ListOptions& options, Listing& listing)
 {
     const Medium& medium = spectral::library_medium(key);
-    if (!is_tagged(medium.tags, options.tag) ||
-        !matches(fmt::format("{} {} {} {} {}", key, medium.name, medium.formula,
-                             fmt::join(medium.tags, " "), medium.references),
-                 options.filter))
-        return;
+    if (!spectral::matches(medium, {options.filter, options.tag})) return;
     const auto [first, last] = medium.constants->range_nm();
     const bool bounded = std::isfinite(last);
     listing.list.push_back({{"key", key},
@@ -81,11 +73,7 @@ void list_medium(const std::string& key, const ListOptions& options, Listing& li
 void list_spectrum(const std::string& key, const ListOptions& options, Listing& listing)
 {
     const NamedSpectrum& spectrum = spectral::library_spectrum(key);
-    if (!is_tagged(spectrum.tags, options.tag) ||
-        !matches(fmt::format("{} {} {} {}", key, spectrum.name, fmt::join(spectrum.tags, " "),
-                             spectrum.references),
-                 options.filter))
-        return;
+    if (!spectral::matches(spectrum, {options.filter, options.tag})) return;
     const double first = spectrum.samples.first_nm(), last = spectrum.samples.last_nm();
     const auto kind = spectral::spectrum_kind_name(*spectrum.kind);
     listing.list.push_back({{"key", key},

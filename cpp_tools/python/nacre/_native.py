@@ -110,6 +110,10 @@ class Spectrum(Structure):
     ]
 
 
+class LibraryWords(Structure):
+    _fields_ = [("formula", c_char_p), ("tags", c_char_p)]
+
+
 POLARISATIONS = {"s": 0, "p": 1, "u": 2}
 
 _SIGNATURES = {
@@ -146,6 +150,9 @@ _SIGNATURES = {
     "nacre_result_free": (None, [c_void_p]),
     "nacre_library_count": (c_size_t, []),
     "nacre_library_key": (c_char_p, [c_size_t]),
+    "nacre_library_search": (c_int, [c_int, c_char_p, c_char_p, POINTER(c_size_t)]),
+    "nacre_library_found": (c_char_p, [c_size_t]),
+    "nacre_library_words_of": (c_int, [c_int, c_char_p, POINTER(LibraryWords)]),
     "nacre_library_medium": (c_int, [c_char_p, POINTER(Medium)]),
     "nacre_library_index": (c_int, [c_char_p, c_size_t, c_void_p, c_void_p]),
     "nacre_library_spectrum_count": (c_size_t, []),

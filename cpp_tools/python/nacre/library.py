@@ -15,13 +15,16 @@ from ._native import NacreError, check, doubles, lib, text
 
 
 class Medium(NamedTuple):
-    """key: `book/page`; references: citation; range_nm: closed range of the data."""
+    """key: `book/page`; references: citation; range_nm: closed range of the data; formula: chemical,
+    e.g. `TiO2`, or empty; tags: kind of matter, e.g. `metal`."""
 
     key: str
     name: str
     references: str
     comments: str
     range_nm: tuple[float, float]
+    formula: str = ""
+    tags: tuple[str, ...] = ()
 
     def index(self, wavelength_nm: ArrayLike) -> np.ndarray:
         """n + ik, complex128 of the shape of `wavelength_nm` (vacuum, nm).
@@ -39,7 +42,7 @@ class Medium(NamedTuple):
 
 class Spectrum(NamedTuple):
     """kind: `emission` (relative power) or `reflectance` (ratio, also of transmittance); references:
-    citation; wavelength_nm (ascending, vacuum) and values: float64 (N,), copies."""
+    citation; wavelength_nm (ascending, vacuum) and values: float64 (N,), copies; tags: e.g. `led`."""
 
     key: str
     name: str
@@ -49,20 +52,32 @@ class Spectrum(NamedTuple):
     comments: str
     wavelength_nm: np.ndarray
     values: np.ndarray
+    tags: tuple[str, ...] = ()
 
 
-_KEYS = {
-    "media": (lib.nacre_library_count, lib.nacre_library_key),
-    "spectra": (lib.nacre_library_spectrum_count, lib.nacre_library_spectrum_key),
-}
+_KINDS = {"media": 0, "spectra": 1}
 
 
-def keys(kind: str = "media") -> list[str]:
-    """Keys of all `media` or `spectra`, ascending. Raises NacreError for another kind."""
-    if kind not in _KEYS:
+def keys(kind: str = "media", search: str = "", tag: str = "") -> list[str]:
+    """Keys of `media` or `spectra`, ascending.
+
+    search: part of a key, a name, a chemical formula, a tag or a citation, whatever its case; tag:
+    one whole tag, e.g. `metal`. Both together want both. A file of the user's own that cannot be
+    read is found by its key alone. Raises NacreError for another kind.
+    """
+    if kind not in _KINDS:
         raise NacreError(f"kind: must be media or spectra (got {kind!r})")
-    count, key = _KEYS[kind]
-    return [key(index).decode() for index in range(count())]
+    count = ctypes.c_size_t()
+    words = text(search, "search"), text(tag, "tag")
+    check(lib.nacre_library_search(_KINDS[kind], *words, ctypes.byref(count)))
+    return [lib.nacre_library_found(index).decode() for index in range(count.value)]
+
+
+def _words(kind: str, key: str) -> tuple[str, tuple[str, ...]]:
+    """Formula and tags."""
+    found = _native.LibraryWords()
+    check(lib.nacre_library_words_of(_KINDS[kind], text(key, "key"), ctypes.byref(found)))
+    return found.formula.decode(), tuple(found.tags.decode().splitlines())
 
 
 def medium(key: str) -> Medium:
@@ -75,6 +90,7 @@ def medium(key: str) -> Medium:
         found.references.decode(),
         found.comments.decode(),
         (found.first_nm, found.last_nm),
+        *_words("media", key),
     )
 
 
@@ -96,4 +112,5 @@ def spectrum(key: str) -> Spectrum:
         found.comments.decode(),
         wavelengths,
         values,
+        _words("spectra", key)[1],
     )

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <mutex>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "guard.h"
+#include "nacre/capi/library.h"
+#include "nacre/core/diagnostics.h"
+#include "nacre/spectral/library_search.h"
 #include "nacre/spectral/optical_constants.h"
 #include "nacre/spectral/spectrum_library.h"
 
@@ -46,6 +51,28 @@ private:
     std::vector<std::string> (*keys_)();
     std::vector<const char*> listed_;
 };
+
+std::vector<const char*>& found_keys()
+{
+    thread_local std::vector<const char*> keys;
+    return keys;
+}
+
+/// @throws InputError for a number that is no kind
+bool is_media(int kind)
+{
+    if (kind != NACRE_MEDIA && kind != NACRE_SPECTRA)
+        throw InputError(
+            {.file = {},
+             .field = "kind",
+             .message = "must be 0 for media or 1 for spectra (got " + std::to_string(kind) + ")"});
+    return kind == NACRE_MEDIA;
+}
+
+std::string text_or_empty(const char* text)
+{
+    return text == nullptr ? std::string() : std::string(text);
+}
 
 KeyList& media()
 {
@@ -115,6 +142,44 @@ nacre_status nacre_library_medium(const char* key, nacre_medium* medium)
                    .comments = found.comments.c_str(),
                    .first_nm = first,
                    .last_nm = last};
+    });
+}
+
+nacre_status nacre_library_search(int kind, const char* text, const char* tag, size_t* count)
+{
+    return nacre::capi::guarded([&] {
+        nacre::capi::require(count, "count");
+        const nacre::spectral::LibrarySearch search = {nacre::capi::text_or_empty(text),
+                                                       nacre::capi::text_or_empty(tag)};
+        const auto keys = nacre::capi::is_media(kind) ? nacre::spectral::find_media(search)
+                                                      : nacre::spectral::find_spectra(search);
+        std::vector<const char*> found;
+        found.reserve(keys.size());
+        for (const std::string& key : keys) found.push_back(nacre::capi::kept(key));
+        nacre::capi::found_keys() = std::move(found);
+        *count = nacre::capi::found_keys().size();
+    });
+}
+
+const char* nacre_library_found(size_t index)
+{
+    const auto& keys = nacre::capi::found_keys();
+    return index < keys.size() ? keys[index] : nullptr;
+}
+
+nacre_status nacre_library_words_of(int kind, const char* key, nacre_library_words* words)
+{
+    return nacre::capi::guarded([&] {
+        nacre::capi::require(key, "key");
+        nacre::capi::require(words, "words");
+        const bool medium = nacre::capi::is_media(kind);
+        const auto& tags = medium ? nacre::spectral::library_medium(key).tags
+                                  : nacre::spectral::library_spectrum(key).tags;
+        std::string lines;
+        for (const std::string& tag : tags) lines += (lines.empty() ? "" : "\n") + tag;
+        const std::string formula =
+            medium ? nacre::spectral::library_medium(key).formula : std::string();
+        *words = {.formula = nacre::capi::kept(formula), .tags = nacre::capi::kept(lines)};
     });
 }
 
