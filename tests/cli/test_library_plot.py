@@ -149,6 +149,25 @@ def test_every_entry_can_be_drawn(nacre, tmp_path):
         assert plot(nacre, key, tmp_path / "a.svg").stat().st_size > 10_000
 
 
+@pytest.mark.parametrize(
+    "rows",
+    [
+        "400,1\n700,1.0000000000000002\n",
+        "400,0\n700,5e-324\n",
+        "400,0\n500,1e300\n700,1e-300\n",
+        "500,1\n500.0001,2\n",
+        "100000000000000000,1\n100000000000000064,2\n",
+        "2000,1\n9000,2\n",
+    ],
+)
+def test_numbers_of_any_size_are_drawn(nacre, tmp_path, rows):
+    path = tmp_path / "x.csv"
+    path.write_text(rows)
+    nacre.ok("library", "import", path, "--kind", "emission", "--as", "x")
+    root = ElementTree.parse(plot(nacre, "x", tmp_path / "a.svg")).getroot()
+    assert "nan" not in ElementTree.tostring(root, encoding="unicode")
+
+
 @pytest.mark.parametrize("name", ["a.pdf", "a", "a.SVG.txt"])
 def test_other_files_are_refused(nacre, tmp_path, name):
     path = tmp_path / name

@@ -40,8 +40,10 @@ std::vector<double> wavelengths(double first, double last)
     constexpr double kMost = 1000.0;
     std::vector<double> result = {first};
     const double step = std::max(1.0, (last - first) / kMost);
-    for (double nm = std::floor(first) + step; nm < last; nm += step)
-        if (nm > first) result.push_back(nm);
+    for (int i = 1; i <= static_cast<int>(kMost); ++i) {
+        const double nm = std::floor(first) + i * step;
+        if (nm > result.back() && nm < last) result.push_back(nm);
+    }
     result.push_back(last);
     return result;
 }
@@ -100,7 +102,9 @@ Axis axis_around(const std::vector<double>& values, double low, double from, dou
 {
     const auto [least, most] = std::ranges::minmax(values);
     low = std::min(low, least);
-    const double room = most > low ? 0.0 : 0.1 * std::max(1.0, std::abs(most));
+    constexpr double kFlat = 1e-9;  // less is no more than rounding
+    const double size = std::max(std::abs(low), std::abs(most));
+    const double room = most - low > kFlat * size ? 0.0 : 0.1 * std::max(1.0, size);
     return Axis::rounded(low - room, most + room, from, to);
 }
 

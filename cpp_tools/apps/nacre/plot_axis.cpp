@@ -33,10 +33,12 @@ std::string power_of_ten(int exponent)
 
 void Axis::label_steps(double step)
 {
+    constexpr int kMost = 12;  // of numbers so far apart that steps are lost in them, too
     const double first = std::ceil(low_ / step - 1e-9);
-    for (double i = first; i * step <= high_ + 1e-9 * step; ++i) {
+    for (int i = 0; i < kMost; ++i) {
         // Neither -0 nor 0.30000000000000004.
-        const double value = i == 0.0 ? 0.0 : i * step;
+        const double value = first + i == 0.0 ? 0.0 : (first + i) * step;
+        if (!(value <= high_ + 1e-9 * step)) break;
         ticks_.push_back({value, fmt::format("{:.6g}", value)});
     }
 }
