@@ -204,7 +204,9 @@ def test_materials_hold_what_an_interference_shader_needs(nacre, tmp_path, name,
     unit = PRECISION[depth]
     for row, key in enumerate(METALS):
         intensity, n, k, rgb = decoded(pixels, row, attributes)
-        at = json.loads(nacre.ok("--json", "library", "show", key, "--at", *map(str, GRID[::20])))
+        at = json.loads(
+            nacre.ok("--json", "library", "show", key, *(f"--at={nm}" for nm in GRID[::20]))
+        )
         wanted = np.array([[value["n"], value["k"]] for value in at["at"]])
         assert np.max(np.abs(n[::20] - wanted[:, 0])) <= 2 * unit * wanted[:, 0].max() + 1e-7
         assert np.max(np.abs(k[::20] - wanted[:, 1])) <= 2 * unit * wanted[:, 1].max() + 1e-7
