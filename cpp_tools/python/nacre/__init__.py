@@ -8,7 +8,7 @@ are listed from the ambient down, angles are measured in the ambient, wavelength
 
 from __future__ import annotations
 
-from . import library
+from . import library, textures
 from ._colour import Colour, RgbSpectrum, rgb_to_spectrum, spectrum_to_colour
 from ._compile import CompiledMaterial, compile_template
 from ._film import FilmLut, Table, film_lut
@@ -36,4 +36,5 @@ __all__ = [
     "slit_intensity",
     "spectrum_to_colour",
     "stack",
+    "textures",
 ]

@@ -114,6 +114,10 @@ class LibraryWords(Structure):
     _fields_ = [("formula", c_char_p), ("tags", c_char_p)]
 
 
+class Texture(Structure):
+    _fields_ = [("width", c_int), ("height", c_int), ("channels", c_int), ("texels", c_void_p)]
+
+
 POLARISATIONS = {"s": 0, "p": 1, "u": 2}
 
 _SIGNATURES = {
@@ -158,6 +162,27 @@ _SIGNATURES = {
     "nacre_library_spectrum_count": (c_size_t, []),
     "nacre_library_spectrum_key": (c_char_p, [c_size_t]),
     "nacre_library_spectrum": (c_int, [c_char_p, POINTER(Spectrum)]),
+    "nacre_texture_samples": (c_int, [c_size_t, c_void_p, c_void_p, c_int, c_void_p]),
+    "nacre_pack_spectra": (c_int, [c_size_t, c_void_p, c_char_p, c_size_t, c_void_p]),
+    "nacre_unpack_spectra": (
+        c_int,
+        [POINTER(Texture), c_char_p, c_size_t, c_size_t, c_void_p],
+    ),
+    "nacre_pack_materials": (c_int, [c_size_t, *[c_void_p] * 4, c_int, c_void_p]),
+    "nacre_unpack_materials": (c_int, [POINTER(Texture), *[c_void_p] * 4]),
+    "nacre_pack_lights": (c_int, [c_size_t, *[c_void_p] * 3]),
+    "nacre_unpack_lights": (c_int, [POINTER(Texture), c_size_t, *[c_void_p] * 2]),
+    "nacre_read_ftxt": (c_int, [c_char_p, c_size_t, c_char_p, POINTER(c_void_p)]),
+    "nacre_write_ftxt": (
+        c_int,
+        [POINTER(Texture), c_size_t, POINTER(c_char_p), POINTER(c_char_p), POINTER(c_void_p)],
+    ),
+    "nacre_ftxt_texture": (c_int, [c_void_p, POINTER(Texture)]),
+    "nacre_ftxt_comments": (c_size_t, [c_void_p]),
+    "nacre_ftxt_key": (c_char_p, [c_void_p, c_size_t]),
+    "nacre_ftxt_value": (c_char_p, [c_void_p, c_size_t]),
+    "nacre_ftxt_text": (c_char_p, [c_void_p]),
+    "nacre_ftxt_free": (None, [c_void_p]),
 }
 
 
