@@ -11,11 +11,32 @@
 #include "nacre/spectral/spectrum_library.h"
 
 namespace nacre::tool {
-namespace {
 
 using spectral::Illuminant;
 using spectral::ObserverId;
 using spectral::Vec3;
+
+ObserverId read_observer(ObjectReader& reader)
+{
+    if (!reader.optional("observer")) return ObserverId::cie1931;
+    const auto name = reader.choice("observer", {"cie1931", "cie1964"});
+    return name ? spectral::observer_from_name(*name) : ObserverId::cie1931;
+}
+
+std::optional<Illuminant> read_illuminant(ObjectReader& reader)
+{
+    const auto text = reader.text("illuminant");
+    if (!text) return std::nullopt;
+    try {
+        return spectral::named_illuminant(*text);
+    } catch (const InputError& error) {
+        for (const Diagnostic& problem : error.diagnostics())
+            reader.problem("illuminant", problem.message);
+        return std::nullopt;
+    }
+}
+
+namespace {
 
 /// What all kinds of records come down to: XYZ, the same adapted to D65 for Lab and rgb.
 struct Colour {
@@ -41,36 +62,38 @@ Colour source_colour(const Illuminant& source, ObserverId observer)
     return emission_colour(xyz);
 }
 
+double read_linearly(const spectral::Sampled& values, double wavelength_nm)
+{
+    const double at = wavelength_nm - spectral::kFirstNm;
+    const auto i = std::min(static_cast<std::size_t>(at), values.size() - 2);
+    const double part = at - static_cast<double>(i);
+    return values[i] + part * (values[i + 1] - values[i]);
+}
+
+/// The sum of `values` with weights of which an illuminant of E makes those of an emission.
+Vec3 sampled_xyz(const spectral::Sampled& values, const Illuminant& illuminant, ObserverId observer,
+                 const std::string& sampling)
+{
+    const auto weights = reflectance_weights(
+        illuminant, observer, spectral::colour_space("xyz_d65"), spectral::Adaptation::none);
+    const auto quadrature = named_quadrature(sampling, weights);
+    if (!quadrature) return weights.apply(values);
+    std::vector<double> samples;
+    samples.reserve(quadrature->wavelength_nm.size());
+    for (const double nm : quadrature->wavelength_nm) samples.push_back(read_linearly(values, nm));
+    return quadrature_sum(*quadrature, samples);
+}
+
 Colour reflectance_colour(const spectral::Sampled& reflectance, const Illuminant& illuminant,
-                          ObserverId observer, spectral::Adaptation how)
+                          ObserverId observer, const ColourChoices& choices)
 {
     spectral::Sampled perfect;
     perfect.fill(1.0);
     const Vec3 white = spectral::reflectance_to_xyz(perfect, illuminant, observer);
-    const Vec3 xyz = spectral::reflectance_to_xyz(reflectance, illuminant, observer);
+    const Vec3 xyz = sampled_xyz(reflectance, illuminant, observer, choices.sampling);
     return {.xyz = xyz,
-            .xyz_d65 = multiply(spectral::adaptation(how, white, d65()), xyz),
+            .xyz_d65 = multiply(spectral::adaptation(choices.adaptation, white, d65()), xyz),
             .lab_white = white};
-}
-
-ObserverId read_observer(ObjectReader& reader)
-{
-    if (!reader.optional("observer")) return ObserverId::cie1931;
-    const auto name = reader.choice("observer", {"cie1931", "cie1964"});
-    return name ? spectral::observer_from_name(*name) : ObserverId::cie1931;
-}
-
-std::optional<Illuminant> read_illuminant(ObjectReader& reader)
-{
-    const auto text = reader.text("illuminant");
-    if (!text) return std::nullopt;
-    try {
-        return spectral::named_illuminant(*text);
-    } catch (const InputError& error) {
-        for (const Diagnostic& problem : error.diagnostics())
-            reader.problem("illuminant", problem.message);
-        return std::nullopt;
-    }
 }
 
 /// Records that name a light: `illuminant`, `blackbody_K` or `daylight_K` alone.
@@ -154,7 +177,7 @@ std::optional<GivenSpectrum> read_given(ObjectReader& reader)
     return GivenSpectrum{samples->on_grid(), *kind == "emission"};
 }
 
-Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, spectral::Adaptation how)
+Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, const ColourChoices& choices)
 {
     const auto given = reader.has("spectrum") ? read_named(reader) : read_given(reader);
     const ObserverId observer = read_observer(reader);
@@ -167,8 +190,9 @@ Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, spectral::Ad
     reader.refuse_unknown_keys();
     problems.throw_if_any();
     if (given->is_emission)
-        return emission_colour(spectral::emission_to_xyz(given->values, observer));
-    return reflectance_colour(given->values, *illuminant, observer, how);
+        return emission_colour(sampled_xyz(given->values, spectral::named_illuminant("E"), observer,
+                                           choices.sampling));
+    return reflectance_colour(given->values, *illuminant, observer, choices);
 }
 
 /// `wavelength_nm` where the values are wanted.
@@ -181,14 +205,6 @@ std::vector<double> read_wanted(ObjectReader& reader)
     std::vector<double> wanted;
     for (int nm = 380; nm <= 780; nm += 10) wanted.push_back(nm);
     return wanted;
-}
-
-double read_linearly(const spectral::Sampled& values, double wavelength_nm)
-{
-    const double at = wavelength_nm - spectral::kFirstNm;
-    const auto i = std::min(static_cast<std::size_t>(at), values.size() - 2);
-    const double part = at - static_cast<double>(i);
-    return values[i] + part * (values[i + 1] - values[i]);
 }
 
 std::optional<Vec3> read_rgb(ObjectReader& reader)
@@ -214,7 +230,7 @@ ordered_json spectrum_json(const spectral::RisenSpectrum& risen, const std::vect
 
 /// `rgb`, of the space that answers are in, and how a spectrum is found for it.
 Colour read_upsampled(ObjectReader& reader, DiagnosticList& problems, const ColourTarget& target,
-                      spectral::Adaptation how)
+                      const ColourChoices& choices)
 {
     const std::optional<Vec3> rgb = read_rgb(reader);
     const std::vector<double> wanted = read_wanted(reader);
@@ -235,38 +251,38 @@ Colour read_upsampled(ObjectReader& reader, DiagnosticList& problems, const Colo
         *rgb, linear_space(target), spectral::upsampling_from_name(*method),
         emission ? spectral::SpectrumKind::emission : spectral::SpectrumKind::reflectance);
     Colour colour = emission ? emission_colour(spectral::emission_to_xyz(risen.values, observer))
-                             : reflectance_colour(risen.values, *illuminant, observer, how);
+                             : reflectance_colour(risen.values, *illuminant, observer, choices);
     colour.spectrum = spectrum_json(risen, wanted);
     return colour;
 }
 
-Colour read_colour(const json& record, const ColourTarget& target, spectral::Adaptation how)
+Colour read_colour(const json& record, const ColourTarget& target, const ColourChoices& choices)
 {
     DiagnosticList problems;
     ObjectReader reader(record, "", problems);
     problems.throw_if_any();
-    if (reader.has("rgb")) return read_upsampled(reader, problems, target, how);
+    if (reader.has("rgb")) return read_upsampled(reader, problems, target, choices);
     const bool sampled = reader.has("spectrum") || reader.has("values") ||
                          reader.has("wavelength_nm") || reader.has("kind");
     if (!sampled)
         for (const char* key : {"blackbody_K", "daylight_K", "illuminant"})
             if (reader.has(key)) return read_source(reader, key, problems);
-    return read_sampled(reader, problems, how);
-}
-
-Vec3 into_gamut(const ColourTarget& target, const Vec3& rgb, spectral::GamutMapping mapping)
-{
-    // Only a linear space has a luminance; resolve_choices() saw to it that it is not needed here.
-    const Vec3 luminance = target.linear ? target.linear->to_xyz_d65[1] : Vec3{};
-    return spectral::map_to_gamut(rgb, mapping, luminance);
+    return read_sampled(reader, problems, choices);
 }
 
 }  // namespace
 
+Vec3 rgb_of(const Vec3& xyz_d65, const ColourTarget& target, const ColourChoices& choices)
+{
+    // Only a linear space has a luminance; add_eval() saw to it that it is not needed elsewhere.
+    const Vec3 luminance = target.linear ? target.linear->to_xyz_d65[1] : Vec3{};
+    return spectral::map_to_gamut(target.from_xyz_d65(xyz_d65), choices.gamut, luminance);
+}
+
 ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
                                const ColourChoices& choices)
 {
-    const Colour colour = read_colour(record, target, choices.adaptation);
+    const Colour colour = read_colour(record, target, choices);
     const auto& xyz = colour.xyz;
     ordered_json xy = nullptr, cct = nullptr, duv = nullptr;
     if (xyz[0] + xyz[1] + xyz[2] > 0.0) xy = spectral::xyz_to_xy(xyz);
@@ -276,14 +292,13 @@ ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
             duv = temperature->duv;
         }
     }
-    ordered_json result = {
-        {"XYZ", xyz},
-        {"xy", xy},
-        {"Lab", spectral::xyz_to_lab(xyz, colour.lab_white)},
-        {"rgb", into_gamut(target, target.from_xyz_d65(colour.xyz_d65), choices.gamut)},
-        {"space", target.name},
-        {"cct_K", cct},
-        {"duv", duv}};
+    ordered_json result = {{"XYZ", xyz},
+                           {"xy", xy},
+                           {"Lab", spectral::xyz_to_lab(xyz, colour.lab_white)},
+                           {"rgb", rgb_of(colour.xyz_d65, target, choices)},
+                           {"space", target.name},
+                           {"cct_K", cct},
+                           {"duv", duv}};
     result.update(colour.spectrum);
     return result;
 }

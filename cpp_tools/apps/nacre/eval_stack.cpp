@@ -67,7 +67,8 @@ bool is_word(const json& value, std::string_view word)
     return text && *text == word;
 }
 
-/// One flag a layer: true where it is coherent.
+}  // namespace
+
 std::vector<bool> read_coherence(ObjectReader& reader, std::size_t layers)
 {
     std::vector<bool> coherent(layers, true);
@@ -94,6 +95,8 @@ std::vector<bool> read_coherence(ObjectReader& reader, std::size_t layers)
     }
     return coherent;
 }
+
+namespace {
 
 /// One number ≥ 0 a layer.
 std::vector<double> read_spread(ObjectReader& reader, const std::vector<bool>& coherent)

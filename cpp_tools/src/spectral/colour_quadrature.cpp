@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/spectral/colour_quadrature.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
+#include <charconv>
 #include <cmath>
+
+#include "nacre/core/diagnostics.h"
 
 namespace nacre::spectral {
 namespace {
@@ -12,6 +17,15 @@ namespace {
 Vec3 weight_at(const ColourWeights& weights, std::size_t i)
 {
     return {weights.weight[0][i], weights.weight[1][i], weights.weight[2][i]};
+}
+
+constexpr int kNoNumber = -1;
+
+int whole_number(std::string_view text)
+{
+    int number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() ? number : kNoNumber;
 }
 
 }  // namespace
@@ -84,6 +98,27 @@ ColourQuadrature hierarchical_quadrature(const ColourWeights& weights, int level
         result.weight.push_back(sum);
     }
     return result;
+}
+
+std::optional<ColourQuadrature> named_quadrature(std::string_view name,
+                                                 const ColourWeights& weights)
+{
+    if (name == "adaptive") return std::nullopt;
+    if (name == "full") return nanometre_quadrature(weights);
+    if (name == "reference") return fine_quadrature(weights, 0.05);
+    const std::size_t colon = name.find(':');
+    const std::string_view kind = name.substr(0, colon);
+    const int number = colon == name.npos ? kNoNumber : whole_number(name.substr(colon + 1));
+    if (kind == "steps" && number >= 1 && number <= kLargestStepNm)
+        return stepped_quadrature(weights, number);
+    if (kind == "hierarchical" && number >= 0 && number <= kHighestLevel)
+        return hierarchical_quadrature(weights, number);
+    throw InputError({.file = {},
+                      .field = "sampling",
+                      .message = fmt::format("must be adaptive, full, reference, steps:1 … "
+                                             "steps:{} or hierarchical:0 … hierarchical:{} "
+                                             "(got '{}')",
+                                             kLargestStepNm, kHighestLevel, name)});
 }
 
 Vec3 quadrature_sum(const ColourQuadrature& quadrature, const std::vector<double>& values) noexcept

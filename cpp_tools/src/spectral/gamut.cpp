@@ -72,4 +72,27 @@ Vec3 map_to_gamut(const Vec3& rgb, GamutMapping mapping, const Vec3& luminance) 
     return rgb;
 }
 
+RangeMapping range_mapping_from_name(std::string_view name)
+{
+    if (name == "none") return RangeMapping::none;
+    if (name == "clamp") return RangeMapping::clamp;
+    if (name == "normalise") return RangeMapping::normalise;
+    throw InputError(
+        {.file = {},
+         .field = "range",
+         .message = fmt::format("must be one of none, clamp, normalise (got '{}')", name)});
+}
+
+void map_range(std::span<Vec3> colours, RangeMapping mapping) noexcept
+{
+    if (mapping == RangeMapping::clamp)
+        for (Vec3& colour : colours) colour = clipped(colour, 1.0);
+    if (mapping != RangeMapping::normalise) return;
+    double largest = 0.0;
+    for (const Vec3& colour : colours) largest = std::max(largest, std::ranges::max(colour));
+    if (!(largest > 0.0)) return;
+    for (Vec3& colour : colours)
+        for (double& value : colour) value /= largest;
+}
+
 }  // namespace nacre::spectral

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "nacre/spectral/colour.h"
@@ -35,6 +37,12 @@ inline constexpr int kLargestStepNm = 128;
 /// of 360 … 830 nm. Cells without weight are left out. @pre 0 ≤ level ≤ kHighestLevel
 inline constexpr int kHighestLevel = 9;
 [[nodiscard]] ColourQuadrature hierarchical_quadrature(const ColourWeights& weights, int level);
+
+/// The one of a name: "full" (1 nm), "reference" (0.05 nm), "steps:N" or "hierarchical:LEVEL";
+/// nothing for "adaptive", where wavelengths depend on what is summed.
+/// @throws InputError for any other name, or a number out of range
+[[nodiscard]] std::optional<ColourQuadrature> named_quadrature(std::string_view name,
+                                                               const ColourWeights& weights);
 
 /// Σ weight R; `values` as `quadrature.wavelength_nm`.
 [[nodiscard]] Vec3 quadrature_sum(const ColourQuadrature& quadrature,

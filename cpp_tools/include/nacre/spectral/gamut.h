@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string_view>
 
 #include "nacre/spectral/colour.h"
@@ -25,5 +26,17 @@ enum class GamutMapping {
 ///                   `desaturate` reads it; where Y is outside [0, 1] the result is black or white.
 [[nodiscard]] Vec3 map_to_gamut(const Vec3& rgb, GamutMapping mapping,
                                 const Vec3& luminance) noexcept;
+
+/// What happens to all colours of an image, or of a list, together.
+enum class RangeMapping {
+    none,
+    clamp,      ///< each channel of each into [0, 1]
+    normalise,  ///< all divided by the largest channel of all, where that is > 0
+};
+
+/// "none", "clamp" or "normalise". @throws InputError for any other name.
+[[nodiscard]] RangeMapping range_mapping_from_name(std::string_view name);
+
+void map_range(std::span<Vec3> colours, RangeMapping mapping) noexcept;
 
 }  // namespace nacre::spectral

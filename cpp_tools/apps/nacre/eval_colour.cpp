@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <cmath>
+#include <numbers>
+
+#include <fmt/format.h>
+
+#include "eval.h"
+#include "nacre/core/diagnostics.h"
+#include "nacre/optics/stack_colour.h"
+#include "nacre/spectral/colour.h"
+#include "nacre/spectral/optical_constants.h"
+
+namespace nacre::tool {
+namespace {
+
+using spectral::OpticalConstantsPtr;
+using spectral::Vec3;
+
+/// A key of the library, n, or [n, k]; null where it is wrong.
+OpticalConstantsPtr read_medium(const json& value, const std::string& field,
+                                DiagnosticList& problems)
+{
+    try {
+        if (value.is_string())
+            return spectral::library_medium(value.get_ref<const std::string&>()).constants;
+    } catch (const InputError& error) {
+        for (const Diagnostic& problem : error.diagnostics())
+            problems.add({"", 0, field, problem.message});
+        return nullptr;
+    }
+    if (value.is_number()) return read_medium(json::array({value, 0.0}), field, problems);
+    if (!value.is_array() || value.size() != 2) {
+        problems.add(
+            {"", 0, field,
+             fmt::format("must be a key of the library, n or [n, k] (got {})", quoted(value))});
+        return nullptr;
+    }
+    const auto n = read_number(value[0], field + "[0]", kPositive, problems);
+    const auto k = read_number(value[1], field + "[1]", kNotNegative, problems);
+    return n && k ? spectral::constant_index({*n, *k}) : nullptr;
+}
+
+std::vector<OpticalConstantsPtr> read_media(ObjectReader& reader, DiagnosticList& problems)
+{
+    const json* list = reader.required("n");
+    if (!list) return {};
+    if (!list->is_array() || list->size() < 2 || list->size() > optics::kMaxLayers + 2) {
+        reader.problem(
+            "n", fmt::format("must list 2 … {} media, ambient and substrate and at most "
+                             "{} layers (got {})",
+                             optics::kMaxLayers + 2, optics::kMaxLayers,
+                             list->is_array() ? fmt::format("{}", list->size()) : quoted(*list)));
+        return {};
+    }
+    std::vector<OpticalConstantsPtr> media;
+    media.reserve(list->size());
+    for (std::size_t i = 0; i < list->size(); ++i)
+        media.push_back(read_medium((*list)[i], fmt::format("n[{}]", i), problems));
+    return media;
+}
+
+struct ColourQuestion {
+    optics::DispersiveStack stack;
+    std::vector<double> thickness_nm;
+    optics::ObliqueLight light{};
+    spectral::Illuminant illuminant;
+    spectral::ObserverId observer{};
+};
+
+ColourQuestion read_question(const json& record)
+{
+    DiagnosticList problems;
+    ObjectReader reader(record, "", problems);
+    ColourQuestion question;
+    question.stack.media = read_media(reader, problems);
+    const std::size_t layers = question.stack.media.empty() ? 0 : question.stack.media.size() - 2;
+    const auto thickness = reader.numbers("d_nm", kNotNegative);
+    if (!question.stack.media.empty() && thickness && thickness->size() != layers)
+        reader.problem("d_nm", fmt::format("must have one thickness for each of the {} layers of n "
+                                           "(got {})",
+                                           layers, thickness->size()));
+    question.stack.coherent = read_coherence(reader, layers);
+    const auto angle = reader.number("angle_deg", {0.0, 90.0, false, true});
+    const auto polarisation = reader.optional("pol") ? reader.choice("pol", {"s", "p", "u"}) : "u";
+    question.observer = read_observer(reader);
+    const auto illuminant =
+        reader.optional("illuminant") ? read_illuminant(reader) : spectral::named_illuminant("D65");
+    reader.refuse_unknown_keys();
+    problems.throw_if_any();
+    question.thickness_nm = *thickness;
+    question.light = {.cos_ambient = std::cos(*angle * std::numbers::pi / 180.0),
+                      .share_of_s = polarisation == "s"   ? 1.0
+                                    : polarisation == "p" ? 0.0
+                                                          : 0.5};
+    question.illuminant = *illuminant;
+    return question;
+}
+
+optics::StackColour solve(const ColourQuestion& question, const spectral::ColourWeights& weights,
+                          const std::string& sampling)
+{
+    if (const auto quadrature = named_quadrature(sampling, weights))
+        return optics::SummedColours(question.stack, *quadrature)
+            .at(question.thickness_nm, question.light);
+    return optics::AdaptiveColours(question.stack, weights)
+        .at(question.thickness_nm, question.light);
+}
+
+}  // namespace
+
+ordered_json evaluate_colour(const json& record, const ColourTarget& target,
+                             const ColourChoices& choices)
+{
+    const ColourQuestion question = read_question(record);
+    // Errors count in a space like that of a screen; XYZ, without adaptation, is a matrix away.
+    const spectral::ColourSpace& space = spectral::colour_space("lin_rec709_scene");
+    const spectral::ColourWeights weights = reflectance_weights(
+        question.illuminant, question.observer, space, spectral::Adaptation::none);
+    const optics::StackColour colour = solve(question, weights, choices.sampling);
+    spectral::Sampled perfect;
+    perfect.fill(1.0);
+    const Vec3 white =
+        spectral::reflectance_to_xyz(perfect, question.illuminant, question.observer);
+    const auto to_d65 = spectral::adaptation(choices.adaptation, white, spectral::d65_white());
+    const auto part = [&](const Vec3& rgb) {
+        const Vec3 xyz = multiply(space.to_xyz_d65, rgb);
+        return ordered_json{{"XYZ", xyz},
+                            {"Lab", spectral::xyz_to_lab(xyz, white)},
+                            {"rgb", rgb_of(multiply(to_d65, xyz), target, choices)}};
+    };
+    return {{"reflectance", part(colour.reflectance)},
+            {"transmittance", part(colour.transmittance)},
+            {"space", target.name},
+            {"wavelengths", colour.evaluations}};
+}
+
+}  // namespace nacre::tool
