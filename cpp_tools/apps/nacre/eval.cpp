@@ -257,9 +257,9 @@ CLI::App* add_kind(CLI::App& eval, const char* name, const char* description, co
 
 ColourChoices resolve_choices(const EvalOptions& options, const ColourTarget& target)
 {
-    const ColourChoices choices{.adaptation = spectral::adaptation_from_name(options.adaptation),
-                                .gamut = spectral::gamut_mapping_from_name(options.gamut),
-                                .sampling = options.sampling};
+    ColourChoices choices{.adaptation = spectral::adaptation_from_name(options.adaptation),
+                          .gamut = spectral::gamut_mapping_from_name(options.gamut),
+                          .sampling = options.sampling};
     // So that a wrong name is one error, not one for each record.
     (void)named_quadrature(choices.sampling, spectral::ColourWeights{});
     if (choices.gamut == spectral::GamutMapping::desaturate) (void)linear_space(target);

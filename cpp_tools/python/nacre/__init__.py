@@ -9,13 +9,14 @@ are listed from the ambient down, angles are measured in the ambient, wavelength
 from __future__ import annotations
 
 from . import library, textures
-from ._colour import Colour, RgbSpectrum, rgb_to_spectrum, spectrum_to_colour
+from ._colour import Colour, RgbSpectrum, map_range, rgb_to_spectrum, spectrum_to_colour
 from ._compile import CompiledMaterial, compile_template
 from ._film import FilmLut, Table, film_lut
 from ._grating import GratingOrders, grating_orders
 from ._models import film_reflectance, slit_intensity
 from ._native import NacreError, version
 from ._stack import StackResult, stack
+from ._stack_colour import StackColour, stack_colour
 
 __version__ = version()
 __all__ = [
@@ -25,6 +26,7 @@ __all__ = [
     "GratingOrders",
     "NacreError",
     "RgbSpectrum",
+    "StackColour",
     "StackResult",
     "Table",
     "compile_template",
@@ -32,9 +34,11 @@ __all__ = [
     "film_reflectance",
     "grating_orders",
     "library",
+    "map_range",
     "rgb_to_spectrum",
     "slit_intensity",
     "spectrum_to_colour",
     "stack",
+    "stack_colour",
     "textures",
 ]

@@ -170,3 +170,24 @@ def rgb_to_spectrum(
         )
     )
     return RgbSpectrum(GRID_NM.copy(), values, coefficients, error)
+
+
+def map_range(rgb: ArrayLike, how: str = "normalise") -> np.ndarray:
+    """All colours of an image, or of a list, brought into range together.
+
+    Parameters
+    ----------
+    rgb : float, shape (..., 3)
+    how : "none", "clamp" or "normalise"
+        Nothing; each channel into [0, 1]; all divided by the largest channel of all, where that is
+        > 0.
+
+    Returns
+    -------
+    float, shape (..., 3), a new array
+    """
+    colours = np.array(doubles(rgb, "rgb"))
+    if colours.ndim == 0 or colours.shape[-1] != 3:
+        raise NacreError(f"rgb: must have 3 channels on the last axis (got shape {colours.shape})")
+    check(lib.nacre_map_range(colours.size // 3, colours.ctypes.data, text(how, "how")))
+    return colours

@@ -114,6 +114,23 @@ class LibraryWords(Structure):
     _fields_ = [("formula", c_char_p), ("tags", c_char_p)]
 
 
+class MediumIndex(Structure):
+    _fields_ = [("key", c_char_p), ("n", c_void_p), ("count", c_size_t)]
+
+
+class ColourStacks(Structure):
+    _fields_ = [
+        ("layers", c_size_t),
+        ("media", POINTER(MediumIndex)),
+        ("coherent", c_void_p),
+        ("count", c_size_t),
+        ("d_nm", c_void_p),
+        ("angle_deg", c_void_p),
+        ("polarisation", c_int),
+        ("sampling", c_char_p),
+    ]
+
+
 class Texture(Structure):
     _fields_ = [("width", c_int), ("height", c_int), ("channels", c_int), ("texels", c_void_p)]
 
@@ -141,6 +158,11 @@ _SIGNATURES = {
         c_int,
         [c_size_t, c_size_t, c_void_p, c_void_p, POINTER(ColourOptions), c_void_p],
     ),
+    "nacre_stack_colours": (
+        c_int,
+        [POINTER(ColourStacks), POINTER(ColourOptions), *[c_void_p] * 3],
+    ),
+    "nacre_map_range": (c_int, [c_size_t, c_void_p, c_char_p]),
     "nacre_rgb_to_spectrum": (
         c_int,
         [c_size_t, c_void_p, c_char_p, c_char_p, c_int, *[c_void_p] * 3],

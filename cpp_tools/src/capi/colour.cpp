@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "colour_maker.h"
 #include "guard.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/gamut.h"
@@ -14,71 +15,6 @@
 
 namespace nacre::capi {
 namespace {
-
-using spectral::Vec3;
-
-Vec3 multiply(const spectral::Mat3& matrix, const Vec3& vector)
-{
-    Vec3 product{};
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column)
-            product[row] += matrix[row][column] * vector[column];
-    return product;
-}
-
-/// What is the same for all spectra of a call.
-class ColourMaker {
-public:
-    explicit ColourMaker(const nacre_colour_options& options)
-        : reflectance_(options.reflectance != 0)
-    {
-        require(options.observer, "observer");
-        require(options.space, "space");
-        if (reflectance_) require(options.illuminant, "illuminant");
-        observer_ = spectral::observer_from_name(options.observer);
-        space_ = &spectral::colour_space(options.space);
-        gamut_ = options.gamut ? spectral::gamut_mapping_from_name(options.gamut)
-                               : spectral::GamutMapping::keep;
-        if (gamut_ != spectral::GamutMapping::keep && !space_->chromaticities)
-            fail("gamut", "must be keep in a space that is not RGB");
-        const auto how = options.adaptation ? spectral::adaptation_from_name(options.adaptation)
-                                            : spectral::Adaptation::bradford;
-        if (reflectance_) set_light(spectral::named_illuminant(options.illuminant), how);
-    }
-
-    [[nodiscard]] nacre_colour operator()(const spectral::Sampled& values) const
-    {
-        const Vec3 xyz = reflectance_ ? reflectance_to_xyz(values, light_, observer_)
-                                      : spectral::emission_to_xyz(values, observer_);
-        const Vec3 lab = spectral::xyz_to_lab(xyz, white_);
-        const Vec3 rgb = map_to_gamut(
-            multiply(space_->from_xyz_d65, reflectance_ ? multiply(to_d65_, xyz) : xyz), gamut_,
-            space_->to_xyz_d65[1]);
-        nacre_colour colour{};
-        std::copy(xyz.begin(), xyz.end(), colour.XYZ);
-        std::copy(lab.begin(), lab.end(), colour.Lab);
-        std::copy(rgb.begin(), rgb.end(), colour.rgb);
-        return colour;
-    }
-
-private:
-    void set_light(spectral::Illuminant light, spectral::Adaptation how)
-    {
-        light_ = std::move(light);
-        spectral::Sampled perfect;
-        perfect.fill(1.0);
-        white_ = reflectance_to_xyz(perfect, light_, observer_);
-        to_d65_ = spectral::adaptation(how, white_, spectral::d65_white());
-    }
-
-    bool reflectance_;
-    spectral::ObserverId observer_{};
-    const spectral::ColourSpace* space_ = nullptr;
-    spectral::GamutMapping gamut_{};
-    spectral::Illuminant light_{};
-    Vec3 white_ = spectral::d65_white();
-    spectral::Mat3 to_d65_{};
-};
 
 std::vector<nacre_colour> colours_of(std::size_t spectra, std::size_t count,
                                      const double* wavelength_nm, const double* values,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -13,6 +14,30 @@
 namespace nacre::spectral {
 
 namespace {
+
+class GridConstants final : public OpticalConstants {
+public:
+    explicit GridConstants(const std::array<Complex, kWavelengths>& n) : n_(n) {}
+
+    [[nodiscard]] Complex at(double nm) const override
+    {
+        if (!(nm >= kFirstNm && nm <= kLastNm))
+            throw InputError({.file = {},
+                              .field = "n",
+                              .message = fmt::format("must be within {} … {} nm (got {:.10g})",
+                                                     kFirstNm, kLastNm, nm)});
+        const auto i = std::min(static_cast<std::size_t>(nm - kFirstNm), kWavelengths - 2);
+        return n_[i] + (nm - wavelength_nm(i)) * (n_[i + 1] - n_[i]);
+    }
+
+    [[nodiscard]] std::array<double, 2> range_nm() const noexcept override
+    {
+        return {kFirstNm, kLastNm};
+    }
+
+private:
+    std::array<Complex, kWavelengths> n_;
+};
 
 /// An index by a closed formula in µm that holds everywhere, and a constant k.
 class FormulaConstants final : public OpticalConstants {
@@ -81,6 +106,19 @@ OpticalConstantsPtr constant_index(Complex n)
     problems.throw_if_any();
     return std::make_shared<FormulaConstants>(
         "n", [n](double) { return n.real(); }, n.imag());
+}
+
+OpticalConstantsPtr index_on_grid(const std::array<Complex, kWavelengths>& n)
+{
+    DiagnosticList problems;
+    for (std::size_t i = 0; i < n.size(); ++i) {
+        const std::string at = fmt::format(" at {:g} nm", wavelength_nm(i));
+        const double re = n[i].real(), im = n[i].imag();
+        check(problems, re > 0.0 && std::isfinite(re), ("n" + at).c_str(), "finite and > 0", re);
+        check(problems, im >= 0.0 && std::isfinite(im), ("k" + at).c_str(), "finite and ≥ 0", im);
+    }
+    problems.throw_if_any();
+    return std::make_shared<GridConstants>(n);
 }
 
 OpticalConstantsPtr cauchy(double a, double b, double c, double k)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <random>
+#include <vector>
 
 #include "support/expect.h"
 
@@ -94,6 +95,24 @@ TEST(Gamut, NamesAreRead)
 {
     EXPECT_EQ(gamut_mapping_from_name("desaturate"), GamutMapping::desaturate);
     EXPECT_INPUT_ERROR((void)gamut_mapping_from_name("compress"), "keep, clip, desaturate, scale");
+}
+
+TEST(Gamut, RangeOfAllColoursTogether)
+{
+    const std::vector<Vec3> colours = {{-0.5, 1.0, 2.0}, {4.0, 0.0, 0.25}};
+    auto clamped = colours, shared = colours, kept = colours;
+    map_range(clamped, RangeMapping::clamp);
+    EXPECT_EQ(clamped, (std::vector<Vec3>{{0.0, 1.0, 1.0}, {1.0, 0.0, 0.25}}));
+    map_range(shared, RangeMapping::normalise);
+    EXPECT_EQ(shared, (std::vector<Vec3>{{-0.125, 0.25, 0.5}, {1.0, 0.0, 0.0625}}));
+    map_range(kept, RangeMapping::none);
+    EXPECT_EQ(kept, colours);
+    std::vector<Vec3> black = {{0.0, -1.0, 0.0}};
+    map_range(black, RangeMapping::normalise);
+    EXPECT_EQ(black, (std::vector<Vec3>{{0.0, -1.0, 0.0}}));
+    EXPECT_EQ(range_mapping_from_name("clamp"), RangeMapping::clamp);
+    EXPECT_INPUT_ERROR((void)range_mapping_from_name("loud"),
+                       "range: must be one of none, clamp, normalise (got 'loud')");
 }
 
 }  // namespace

@@ -82,5 +82,18 @@ TEST(Abbe, RefusesWhatIsNoGlass)
     EXPECT_INPUT_ERROR((void)abbe(kNan, kNan), "abbe.v_d: must be finite and > 0 (got nan)");
 }
 
+TEST(OpticalConstants, OnTheGridLinearInBetween)
+{
+    std::array<Complex, kWavelengths> n;
+    for (std::size_t i = 0; i < n.size(); ++i) n[i] = {1.5 + 0.001 * static_cast<double>(i), 0.25};
+    const auto medium = index_on_grid(n);
+    EXPECT_COMPLEX_NEAR(medium->at(360.0), n[0], 0.0);
+    EXPECT_COMPLEX_NEAR(medium->at(830.0), n[470], 0.0);
+    EXPECT_COMPLEX_NEAR(medium->at(500.25), Complex(1.64025, 0.25), 1e-15);
+    EXPECT_INPUT_ERROR((void)medium->at(359.9), "n: must be within 360 … 830 nm (got 359.9)");
+    n[3] = {1.5, -0.1};
+    EXPECT_INPUT_ERROR((void)index_on_grid(n), "k at 363 nm: must be finite and ≥ 0 (got -0.1)");
+}
+
 }  // namespace
 }  // namespace nacre::spectral

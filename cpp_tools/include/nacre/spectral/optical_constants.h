@@ -34,6 +34,10 @@ using OpticalConstantsPtr = std::shared_ptr<const OpticalConstants>;
 /// @throws InputError unless n > 0 and k ≥ 0, both finite.
 [[nodiscard]] OpticalConstantsPtr constant_index(Complex n);
 
+/// Values on the 1 nm grid, linear in between.
+/// @throws InputError unless n > 0 and k ≥ 0 everywhere, all finite.
+[[nodiscard]] OpticalConstantsPtr index_on_grid(const std::array<Complex, kWavelengths>& n);
+
 /// n = a + b/λ² + c/λ⁴ with λ in µm.
 [[nodiscard]] OpticalConstantsPtr cauchy(double a, double b, double c = 0.0, double k = 0.0);
 

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "colour_maker.h"
+
+#include <algorithm>
+
+#include "guard.h"
+
+namespace nacre::capi {
+
+using spectral::Vec3;
+
+Vec3 multiply(const spectral::Mat3& matrix, const Vec3& vector)
+{
+    Vec3 product{};
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column)
+            product[row] += matrix[row][column] * vector[column];
+    return product;
+}
+
+ColourMaker::ColourMaker(const nacre_colour_options& options)
+    : reflectance_(options.reflectance != 0)
+{
+    require(options.observer, "observer");
+    require(options.space, "space");
+    if (reflectance_) require(options.illuminant, "illuminant");
+    observer_ = spectral::observer_from_name(options.observer);
+    space_ = &spectral::colour_space(options.space);
+    gamut_ = options.gamut ? spectral::gamut_mapping_from_name(options.gamut)
+                           : spectral::GamutMapping::keep;
+    if (gamut_ != spectral::GamutMapping::keep && !space_->chromaticities)
+        fail("gamut", "must be keep in a space that is not RGB");
+    const auto how = options.adaptation ? spectral::adaptation_from_name(options.adaptation)
+                                        : spectral::Adaptation::bradford;
+    if (reflectance_) set_light(spectral::named_illuminant(options.illuminant), how);
+}
+
+nacre_colour ColourMaker::operator()(const spectral::Sampled& values) const
+{
+    return from_xyz(reflectance_ ? reflectance_to_xyz(values, light_, observer_)
+                                 : spectral::emission_to_xyz(values, observer_));
+}
+
+nacre_colour ColourMaker::from_xyz(const Vec3& xyz) const
+{
+    const Vec3 lab = spectral::xyz_to_lab(xyz, white_);
+    const Vec3 rgb =
+        map_to_gamut(multiply(space_->from_xyz_d65, reflectance_ ? multiply(to_d65_, xyz) : xyz),
+                     gamut_, space_->to_xyz_d65[1]);
+    nacre_colour colour{};
+    std::copy(xyz.begin(), xyz.end(), colour.XYZ);
+    std::copy(lab.begin(), lab.end(), colour.Lab);
+    std::copy(rgb.begin(), rgb.end(), colour.rgb);
+    return colour;
+}
+
+void ColourMaker::set_light(spectral::Illuminant light, spectral::Adaptation how)
+{
+    light_ = std::move(light);
+    spectral::Sampled perfect;
+    perfect.fill(1.0);
+    white_ = reflectance_to_xyz(perfect, light_, observer_);
+    to_d65_ = spectral::adaptation(how, white_, spectral::d65_white());
+}
+
+}  // namespace nacre::capi
