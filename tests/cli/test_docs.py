@@ -27,6 +27,7 @@ DOCUMENTS = (
     "cpp_tools/doc/library.md",
     "cpp_tools/doc/models.md",
     "cpp_tools/doc/sampling.md",
+    "cpp_tools/doc/textures.md",
 )
 BLOCK = re.compile(
     r"<!-- (?P<kind>run|prints|file: (?P<name>\S+)) -->\n```(?P<language>\w+)\n(?P<text>.*?)```",
