@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 #include <optional>
 
@@ -36,6 +37,18 @@ void store_power(const Stacks& in, std::size_t item, const optics::PowerRatios& 
     in.power[3 * item] = power.R;
     in.power[3 * item + 1] = power.T;
     in.power[3 * item + 2] = power.A;
+}
+
+/// Of `count` items that follow each other.
+void store_powers(const Stacks& in, std::size_t first, const Lanes& R, const Lanes& T,
+                  std::size_t count)
+{
+    double* out = in.power + 3 * first;
+    for (std::size_t i = 0; i < count; ++i, out += 3) {
+        out[0] = R[i];
+        out[1] = T[i];
+        out[2] = 1.0 - R[i] - T[i];
+    }
 }
 
 void store_amplitudes(const Stacks& in, std::size_t item, Complex r, Complex t)
@@ -174,6 +187,8 @@ public:
             // Lanes past the end repeat the last one.
             lanes_[i] = order.stack(first + std::min(i, count_ - 1));
             set_stack(stack, i, *ItemCursor(in, lanes_[i].item));
+            one_cosine_ = one_cosine_ && lanes_[i].cosine == lanes_[0].cosine;
+            side_by_side_ = side_by_side_ && (i >= count_ || lanes_[i].item == lanes_[0].item + i);
         }
         stack_.emplace(stack);
     }
@@ -182,8 +197,11 @@ public:
     {
         const Place at = order_.angle(angle);
         Lanes cos_0;
-        for (std::size_t i = 0; i < kLanes; ++i)
-            cos_0[i] = in_.cosines[lanes_[i].cosine + at.cosine];
+        if (one_cosine_)
+            cos_0.fill(in_.cosines[lanes_[0].cosine + at.cosine]);
+        else
+            for (std::size_t i = 0; i < kLanes; ++i)
+                cos_0[i] = in_.cosines[lanes_[i].cosine + at.cosine];
         if (in_.amplitudes == nullptr)
             stack_->power(cos_0, power_);
         else
@@ -207,16 +225,21 @@ private:
     void store(Place at)
     {
         const auto& [R, T] = chosen_power();
-        for (std::size_t i = 0; i < count_; ++i)
-            store_power(in_, lanes_[i].item + at.item,
-                        {.R = R[i], .T = T[i], .A = 1.0 - R[i] - T[i]});
+        if (side_by_side_)
+            store_powers(in_, lanes_[0].item + at.item, R, T, count_);
+        else
+            for (std::size_t i = 0; i < count_; ++i)
+                store_power(in_, lanes_[i].item + at.item,
+                            {.R = R[i], .T = T[i], .A = 1.0 - R[i] - T[i]});
         if (in_.amplitudes != nullptr) {
             const auto& [r, t] = in_.polarisation == NACRE_S ? amplitudes_.s : amplitudes_.p;
             for (std::size_t i = 0; i < count_; ++i)
                 store_amplitudes(in_, lanes_[i].item + at.item, {r.re[i], r.im[i]},
                                  {t.re[i], t.im[i]});
         }
-        if (*std::ranges::max_element(power_.doubt) <= kDoubtAllowed) return;
+        std::int64_t doubtful = 0;  // as wide as a double: whole vectors at a time
+        for (const double doubt : power_.doubt) doubtful |= doubt > kDoubtAllowed ? 1 : 0;
+        if (doubtful == 0) return;
         for (std::size_t i = 0; i < count_; ++i)
             if (power_.doubt[i] > kDoubtAllowed) {
                 const std::size_t item = lanes_[i].item + at.item;
@@ -228,6 +251,8 @@ private:
     const GridOrder& order_;
     std::size_t count_;
     std::array<Place, kLanes> lanes_{};
+    bool one_cosine_ = true;    ///< all lanes are at the same angle
+    bool side_by_side_ = true;  ///< their results follow each other
     std::optional<optics::PreparedStack> stack_;
     optics::BatchPower power_;
     optics::LanePower mean_;
@@ -252,7 +277,7 @@ void solve(const Stacks& in)
         one_by_one(in, solve_one);
         return;
     }
-    constexpr std::size_t kAngles = 32;  ///< well above what preparing the stacks costs
+    constexpr std::size_t kAngles = 64;  ///< well above what preparing the stacks costs
     const GridOrder order(in);
     const std::size_t batches = (order.stacks() + kLanes - 1) / kLanes;
     const std::size_t ranges = (order.angles() + kAngles - 1) / kAngles;

@@ -19,10 +19,8 @@ bool is_zero(const Lanes& lanes)
 
 void set_to_nothing(LaneTrip& trip)
 {
-    for (ComplexLanes* phase : {&trip.half, &trip.E}) {
-        phase->re.fill(1.0);
-        phase->im.fill(0.0);
-    }
+    trip.E.re.fill(1.0);
+    trip.E.im.fill(0.0);
     trip.share.fill(1.0);
 }
 
@@ -45,6 +43,7 @@ AngledStack::AngledStack(const LaneStack& stack)
     for (std::size_t j = 0; j < stack.layers.size(); ++j)
         passage_of_.push_back(keep_passage(medium_of_[j + 1], stack.layers[j].waves));
     roots_.resize(media_.size());
+    if (starts_in_ambient_) prepare_ambient_root(roots_[0]);
     gather_loads(stack);
 
     ComplexLanes one;
@@ -81,6 +80,8 @@ void AngledStack::gather_loads(const LaneStack& stack)
         load.layers += 1.0;
         for (std::size_t i = 0; i < kLanes; ++i) load.waves[i] += stack.layers[j].waves[i];
     }
+    for (std::size_t m = 0; m < loads_.size(); ++m)
+        if (loads_[m].layers > 0) loaded_.push_back(m);
 }
 
 void AngledStack::turn_to(const Lanes& cos_0)
@@ -98,6 +99,21 @@ void AngledStack::find_trips(std::vector<LaneTrip>& trips, double factor) const
     }
     for (std::size_t p = 0; p < passages_.size(); ++p)
         find_trip(trips[p], roots_[passages_[p].medium], passages_[p].waves, factor);
+}
+
+void AngledStack::find_half_trips(std::vector<ComplexLanes>& half_trips) const
+{
+    half_trips.resize(passages_.size());
+    for (std::size_t p = 0; p < passages_.size(); ++p)
+        find_half_trip(half_trips[p], roots_[passages_[p].medium], passages_[p].waves);
+}
+
+std::vector<const ComplexLanes*> AngledStack::half_trips_of(
+    const std::vector<ComplexLanes>& half_trips) const
+{
+    std::vector<const ComplexLanes*> result{nullptr};
+    for (const std::size_t passage : passage_of_) result.push_back(&half_trips[passage]);
+    return result;
 }
 
 void AngledStack::find_trip_of(std::size_t layer, std::vector<LaneTrip>& trips,
@@ -120,11 +136,14 @@ std::vector<Crossing> AngledStack::crossings(const std::vector<LaneTrip>& trips,
 
 void AngledStack::doubt(Lanes& out) const
 {
+    if (loaded_.size() == 1) {
+        set_doubt(out, roots_[loaded_[0]], loads_[loaded_[0]]);
+        return;
+    }
     Lanes squares;
     out.fill(0.0);
     squares.fill(0.0);
-    for (std::size_t m = 0; m < loads_.size(); ++m)
-        if (loads_[m].layers > 0) add_doubt(out, squares, roots_[m], loads_[m]);
+    for (const std::size_t m : loaded_) add_doubt(out, squares, roots_[m], loads_[m]);
     limit_doubt(out, squares);
 }
 

@@ -20,6 +20,11 @@ public:
     /// Passages of the layers at `factor` times their thickness; the last one is through
     /// nothing.
     void find_trips(std::vector<LaneTrip>& trips, double factor) const;
+    /// e^{iδ} of the passages, at their thickness.
+    void find_half_trips(std::vector<ComplexLanes>& half_trips) const;
+    /// Those above each of all crossings; null above the first.
+    [[nodiscard]] std::vector<const ComplexLanes*> half_trips_of(
+        const std::vector<ComplexLanes>& half_trips) const;
     /// The passage of one layer, which shares it with no other, at another thickness.
     void find_trip_of(std::size_t layer, std::vector<LaneTrip>& trips, const Lanes& waves) const;
     /// Interfaces first … last − 1, counted from the ambient's; above interface j > `first` lies
@@ -64,6 +69,7 @@ private:
     std::vector<std::size_t> passage_of_;  ///< of each layer
     std::vector<LaneRoot> roots_;          ///< of media_
     std::vector<MediumLoad> loads_;        ///< of media_
+    std::vector<std::size_t> loaded_;      ///< media that layers are made of
 };
 
 }  // namespace nacre::optics::detail

@@ -145,12 +145,17 @@ NACRE_VECTOR_CLONES void find_root(LaneRoot& out, const LaneMedium& medium, cons
     }
 }
 
-void find_ambient_root(LaneRoot& out, const Lanes& n_0, const Lanes& cos_0)
+void prepare_ambient_root(LaneRoot& out)
 {
-    for (std::size_t i = 0; i < kLanes; ++i) out.q.re[i] = n_0[i] * cos_0[i];
     out.q.im.fill(0.0);
     out.doubt.fill(0.0);  // no error is made
     out.doubt_per_wave.fill(2.0 * std::numbers::pi * 1.1e-16);
+}
+
+NACRE_VECTOR_CLONES void find_ambient_root(LaneRoot& out, const Lanes& n_0, const Lanes& cos_0)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth)
+        store(out.q.re, i, load(n_0, i) * load(cos_0, i));
 }
 
 NACRE_VECTOR_CLONES void find_trip(LaneTrip& out, const LaneRoot& root, const Lanes& waves,
@@ -159,22 +164,43 @@ NACRE_VECTOR_CLONES void find_trip(LaneTrip& out, const LaneRoot& root, const La
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
         const V wave = factor * load(waves, i);
         const C q = load(root.q, i);
-        const V decay = simd::exp_decay((-2.0 * std::numbers::pi) * q.im * wave);
-        const C half = decay * simd::cis_turns(q.re * wave);
-        store(out.half, i, half);
-        store(out.E, i, half * half);
-        store(out.share, i, decay * decay);
+        const C turn = simd::cis_turns(2.0 * q.re * wave);
+        if (simd::all_zero(q.im)) {
+            store(out.E, i, turn);
+            store(out.share, i, V{} + 1.0);
+            continue;
+        }
+        const V decay = simd::exp_decay((-4.0 * std::numbers::pi) * q.im * wave);
+        store(out.E, i, decay * turn);
+        store(out.share, i, decay);
+    }
+}
+
+NACRE_VECTOR_CLONES void find_half_trip(ComplexLanes& out, const LaneRoot& root, const Lanes& waves)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const V wave = load(waves, i);
+        const C q = load(root.q, i);
+        store(out, i,
+              simd::exp_decay((-2.0 * std::numbers::pi) * q.im * wave) *
+                  simd::cis_turns(q.re * wave));
     }
 }
 
 NACRE_VECTOR_CLONES void add_trip(LaneTrip& trip, const LaneTrip& more)
 {
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
-        const C half = load(trip.half, i) * load(more.half, i);
-        store(trip.half, i, half);
-        store(trip.E, i, half * half);
+        store(trip.E, i, load(trip.E, i) * load(more.E, i));
         store(trip.share, i, load(trip.share, i) * load(more.share, i));
     }
+}
+
+NACRE_VECTOR_CLONES void set_doubt(Lanes& out, const LaneRoot& root, const MediumLoad& medium)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth)
+        store(out, i,
+              medium.layers * load(root.doubt, i) +
+                  load(medium.waves, i) * load(root.doubt_per_wave, i));
 }
 
 NACRE_VECTOR_CLONES void add_doubt(Lanes& sum, Lanes& squares, const LaneRoot& root,
@@ -233,13 +259,15 @@ NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, Lanes& doubt,
     }
 }
 
-NACRE_VECTOR_CLONES void gather_phase(ComplexLanes& out, const std::vector<Crossing>& crossings)
+NACRE_VECTOR_CLONES void gather_phase(ComplexLanes& out, const std::vector<Crossing>& crossings,
+                                      const std::vector<const ComplexLanes*>& half_trips)
 {
     constexpr double kNotZero = 1e-300;
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
         C product{V{} + 1.0, V{}};
         for (std::size_t j = crossings.size(); j-- > 0;) {
-            product = product * load(*crossings[j].q_1, i) * load(crossings[j].trip->half, i);
+            product = product * load(*crossings[j].q_1, i);
+            if (half_trips[j] != nullptr) product = product * load(*half_trips[j], i);
             if (j % kNormaliseEvery != 0) continue;
             const V size = simd::absolute(product.re) + simd::absolute(product.im);
             product = (1.0 / (size + kNotZero)) * product;

@@ -32,8 +32,8 @@ struct LaneRoot {
 
 /// One passage through a layer at an angle.
 struct LaneTrip {
-    ComplexLanes half, E;  ///< e^{iδ}, e^{2iδ}
-    Lanes share;           ///< |E|, what is left of a power
+    ComplexLanes E;  ///< e^{2iδ}
+    Lanes share;     ///< |E|, what is left of a power
 };
 
 struct Waves {
@@ -54,10 +54,13 @@ void prepare_medium(LaneMedium& out, const ComplexLanes& n, const Lanes& n_0);
 void prepare_interface(ComplexLanes& ratio, const ComplexLanes& n_1, const ComplexLanes& n_2);
 
 void find_root(LaneRoot& out, const LaneMedium& medium, const Lanes& n_0, const Lanes& cos_0);
-/// Of the ambient itself, n_0.
+/// Of the ambient itself, n_0: what no angle changes, and the rest.
+void prepare_ambient_root(LaneRoot& out);
 void find_ambient_root(LaneRoot& out, const Lanes& n_0, const Lanes& cos_0);
 /// At `factor` times the thickness over wavelength.
 void find_trip(LaneTrip& out, const LaneRoot& root, const Lanes& waves, double factor);
+/// e^{iδ}, which only amplitudes need.
+void find_half_trip(ComplexLanes& out, const LaneRoot& root, const Lanes& waves);
 /// The trip of the sum of two thicknesses.
 void add_trip(LaneTrip& trip, const LaneTrip& more);
 
@@ -66,6 +69,8 @@ struct MediumLoad {
     double layers = 0.0;
     Lanes waves;
 };
+/// The doubt of one medium.
+void set_doubt(Lanes& out, const LaneRoot& root, const MediumLoad& load);
 /// Adds to the sum of the doubts of all media and to that of their squares.
 void add_doubt(Lanes& sum, Lanes& squares, const LaneRoot& root, const MediumLoad& load);
 /// Layers of one medium share their roundings, those of different media do not: with many media
@@ -83,7 +88,9 @@ void carry_down_wave(LaneFields& fields, const std::vector<Crossing>& crossings)
 void carry_both_waves(LaneFields& down, LaneFields& up, const std::vector<Crossing>& crossings);
 
 /// Direction of the product of all 2q₁ e^{iδ}, of modulus 1; 0 where it underflows.
-void gather_phase(ComplexLanes& out, const std::vector<Crossing>& crossings);
+/// @param half_trips  above each crossing; null where nothing is passed through
+void gather_phase(ComplexLanes& out, const std::vector<Crossing>& crossings,
+                  const std::vector<const ComplexLanes*>& half_trips);
 
 /// Ends of a stack at an angle.
 struct LaneEnds {

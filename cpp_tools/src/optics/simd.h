@@ -73,6 +73,13 @@ NACRE_INLINE C reciprocal(C a)
     return {a.re * scale, -a.im * scale};
 }
 
+/// All lanes +0 or −0.
+NACRE_INLINE bool all_zero(V x)
+{
+    const Bits bits = (Bits)x << 1;
+    return ((bits[0] | bits[1]) | (bits[2] | bits[3])) == 0;
+}
+
 NACRE_INLINE V absolute(V x)
 {
     return (V)((Bits)x & 0x7fff'ffff'ffff'ffffLL);

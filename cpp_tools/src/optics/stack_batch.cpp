@@ -15,6 +15,7 @@ struct PreparedStack::Work {
     AngledStack stack;
     std::vector<LaneTrip> trips;
     std::vector<Crossing> crossings;
+    std::vector<ComplexLanes> half_trips;
     LaneFields fields;
 
     explicit Work(const LaneStack& lanes) : stack(lanes)
@@ -47,7 +48,8 @@ void PreparedStack::respond(const Lanes& cos_0, BatchPower& power, BatchAmplitud
 {
     this->power(cos_0, power);
     ComplexLanes phase;
-    gather_phase(phase, work_->crossings);
+    work_->stack.find_half_trips(work_->half_trips);
+    gather_phase(phase, work_->crossings, work_->stack.half_trips_of(work_->half_trips));
     finish_amplitudes(amplitudes.s, amplitudes.p, work_->fields, phase, work_->stack.ends());
 }
 
