@@ -68,7 +68,7 @@ def test_defaults_are_in_the_help(nacre):
         (("bake",), "nacre bake: "),
         (("bake", "noise"), "nacre bake: "),
         (("bake", "cmf"), "nacre bake cmf: "),
-        (("eval", "colour"), "nacre eval: "),
+        (("eval", "sound"), "nacre eval: "),
         (("eval", "stack", "a", "b"), "nacre eval stack: "),
         (("compile", "x.toml"), "nacre compile: "),
         (("compare", "a.exr"), "nacre compare: "),
