@@ -22,16 +22,21 @@ using spectral::Vec3;
 /// What the last two terms may contribute to R or T in the mean: ten times what the missing ones do
 /// where the series converges as fast as that of an exponential.
 constexpr double kLargestDoubt = 3e-3;
-/// Beyond it the sum at 1 nm costs no more.
-constexpr std::size_t kMostNodes = 130;
+/// Beyond it a sum costs no more.
+constexpr double kMostNodes = 600.0;
+constexpr int kMostTries = 3;
+/// Round trip between wavelengths of a sum, in radians: a fringe has six of them.
+constexpr double kLargestTurn = 1.0;
+constexpr double kFinestStepNm = 0.05;
+constexpr double kLargestPhase = 1e9;  ///< of metres, where phases mean nothing any more
 
 /// A phase of ±κ over the band needs κ terms, and a few times κ^⅓ until they fall off (the Bessel
 /// functions that are the coefficients of e^{iκx}), by about a factor e each; at a resonance a is
 /// smaller than elsewhere, which takes as many more as the contrast has powers of e. The constants
 /// are those with which films and etalons meet kLargestDoubt at once.
-std::size_t nodes_for(double kappa, double contrast)
+double nodes_for(double kappa, double contrast)
 {
-    return static_cast<std::size_t>(std::ceil(4.0 + kappa + 1.5 * std::cbrt(kappa) + contrast));
+    return std::ceil(4.0 + kappa + 1.5 * std::cbrt(kappa) + contrast);
 }
 
 /// Mean error |Δn|/|n| at which a medium counts as interpolated.
@@ -64,9 +69,9 @@ std::size_t more_nodes_for(const spectral::OpticalConstants& medium,
     return count - kPlainNodes;
 }
 
-std::size_t more_nodes(std::size_t count)
+double more_nodes(double count)
 {
-    return count + std::max<std::size_t>(4, count / 2);
+    return count + std::max(4.0, std::floor(0.5 * count));
 }
 
 }  // namespace
@@ -117,13 +122,14 @@ struct AdaptiveColours::Work {
     bool coherent;
     std::size_t nodes_for_media = 0;
     std::map<std::size_t, StackSamples> samples;  ///< by the number of nodes
-    std::optional<SummedColours> every_nanometre;
+    std::map<int, SummedColours> summed_at;       ///< by wavelengths in a nanometre
 
     const StackSamples& at_nodes(std::size_t count);
-    std::size_t first_count(std::span<const double> thickness_nm, double cos_ambient);
     std::optional<StackColour> interpolated(std::size_t count, std::span<const double> thickness_nm,
                                             const ObliqueLight& light);
-    StackColour summed(std::span<const double> thickness_nm, const ObliqueLight& light);
+    StackColour summed(double kappa, std::span<const double> thickness_nm,
+                       const ObliqueLight& light);
+    StackColour solve(std::span<const double> thickness_nm, const ObliqueLight& light);
 };
 
 AdaptiveColours::AdaptiveColours(DispersiveStack stack, const spectral::ColourWeights& weights)
@@ -138,14 +144,6 @@ const StackSamples& AdaptiveColours::Work::at_nodes(std::size_t count)
     const auto found = samples.find(count);
     if (found != samples.end()) return found->second;
     return samples.emplace(count, StackSamples(stack, band.nodes_nm(count))).first->second;
-}
-
-std::size_t AdaptiveColours::Work::first_count(std::span<const double> thickness_nm,
-                                               double cos_ambient)
-{
-    const auto ends = at_nodes(2).passage(thickness_nm, cos_ambient);
-    const double kappa = 0.5 * std::abs(ends.phase.front().real() - ends.phase.back().real());
-    return nodes_for(kappa, ends.contrast) + nodes_for_media;
 }
 
 /// Nothing where the series has not converged, or has no amplitudes.
@@ -171,30 +169,48 @@ std::optional<StackColour> AdaptiveColours::Work::interpolated(std::size_t count
     return colour;
 }
 
-StackColour AdaptiveColours::Work::summed(std::span<const double> thickness_nm,
+/// Every nanometre, or at more wavelengths where fringes are finer than that.
+StackColour AdaptiveColours::Work::summed(double kappa, std::span<const double> thickness_nm,
                                           const ObliqueLight& light)
 {
-    if (!every_nanometre) every_nanometre.emplace(stack, nanometre_quadrature(weights));
-    return every_nanometre->at(thickness_nm, light);
+    const double turn = 4.0 * kappa / (band.last_nm() - band.first_nm());
+    const int steps =
+        static_cast<int>(std::ceil(std::clamp(turn / kLargestTurn, 1.0, 1.0 / kFinestStepNm)));
+    auto found = summed_at.find(steps);
+    if (found == summed_at.end()) {
+        const auto quadrature =
+            steps == 1 ? nanometre_quadrature(weights) : fine_quadrature(weights, 1.0 / steps);
+        found = summed_at.emplace(steps, SummedColours(stack, quadrature)).first;
+    }
+    return found->second.at(thickness_nm, light);
+}
+
+StackColour AdaptiveColours::Work::solve(std::span<const double> thickness_nm,
+                                         const ObliqueLight& light)
+{
+    if (!coherent) return summed(0.0, thickness_nm, light);
+    const detail::StackSamples::Passage ends = at_nodes(2).passage(thickness_nm, light.cos_ambient);
+    const double difference = std::abs(ends.phase.front().real() - ends.phase.back().real());
+    const double kappa = difference < kLargestPhase ? 0.5 * difference : kLargestPhase;
+    double count = nodes_for(kappa, ends.contrast) + static_cast<double>(nodes_for_media);
+    std::size_t evaluations = 0;
+    for (int i = 0; i < kMostTries && count <= kMostNodes; ++i, count = more_nodes(count)) {
+        const auto nodes = static_cast<std::size_t>(count);
+        evaluations += nodes;
+        if (auto colour = interpolated(nodes, thickness_nm, light)) {
+            colour->evaluations = evaluations;
+            return *colour;
+        }
+    }
+    StackColour colour = summed(kappa, thickness_nm, light);
+    colour.evaluations += evaluations;
+    return colour;
 }
 
 StackColour AdaptiveColours::at(std::span<const double> thickness_nm, const ObliqueLight& light)
 {
     assert(thickness_nm.size() == work_->stack.coherent.size());
-    std::size_t evaluations = 0;
-    std::optional<StackColour> colour;
-    if (work_->coherent)
-        for (std::size_t count = work_->first_count(thickness_nm, light.cos_ambient);
-             !colour && count <= kMostNodes; count = more_nodes(count)) {
-            colour = work_->interpolated(count, thickness_nm, light);
-            evaluations += count;
-        }
-    if (!colour) {
-        colour = work_->summed(thickness_nm, light);
-        evaluations += colour->evaluations;
-    }
-    colour->evaluations = evaluations;
-    return *colour;
+    return work_->solve(thickness_nm, light);
 }
 
 }  // namespace nacre::optics

@@ -234,6 +234,21 @@ TEST(StackColour, LinesOfLampsTakeFewWavelengths)
     EXPECT_LE(study.most, 8u);
 }
 
+/// Fringes of 2 … 0.1 nm: interpolated as long as that pays, then summed as finely as they need.
+TEST(StackColour, ThickFilmsKeepTheirFringes)
+{
+    Both soap(stack_of({"air", "water/Daimon-20C", "air"}));
+    for (const double d_nm : {20e3, 60e3, 110e3, 400e3}) {
+        Study study;
+        for (const double part : {0.0, 0.2, 0.4, 0.6})
+            study.add(soap.adaptive, soap.truth, {d_nm + 100.0 * part}, 20.0);
+        EXPECT_LE(study.error, 1e-4) << d_nm;
+        EXPECT_LE(study.mean_evaluations(), d_nm < 60e3 ? 400.0 : 9401.0);
+    }
+    const StackColour metres = soap.adaptive.at(std::vector<double>{1e300}, {.cos_ambient = 1.0});
+    for (const double value : metres.reflectance) EXPECT_NEAR(value, 0.04, 0.03);
+}
+
 TEST(StackColour, IncoherentLayersAreSummedAtOneNanometre)
 {
     DispersiveStack stack = stack_of({"air", "N-BK7/SCHOTT", "SiO2/Malitson", "Al/Rakic"});

@@ -62,8 +62,9 @@ private:
 /// by Chebyshev polynomials in wavenumber through as many wavelengths as that phase asks for, and
 /// twice as many while the last coefficients still count. Their quotients are summed every
 /// nanometre and, where a changes by much of itself from one to the next, in between: a line is
-/// found however narrow it is. Stacks with incoherent layers, and those whose media are not smooth
-/// enough, are summed at 1 nm.
+/// found however narrow it is. Stacks whose media are not smooth enough are summed at 1 nm, very
+/// thick ones, of tenths of a millimetre, at as little as 0.05 nm; those with incoherent layers at
+/// 1 nm.
 ///
 /// One object for one thread.
 class AdaptiveColours {
