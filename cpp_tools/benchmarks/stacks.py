@@ -110,7 +110,7 @@ def stack_results(layers: int) -> list[Result]:
     return [*arrays, compare("tmm", few, ours=min(result.ours for result in arrays))]
 
 
-def bake_table(layers: int) -> nacre.FilmLut:
+def bake_table(layers: int, precision: str = "double") -> nacre.FilmLut:
     job = Job(layers, ANGLES_DEG, WAVELENGTHS_NM)
     return nacre.film_lut(
         list(job.n.T),
@@ -120,6 +120,7 @@ def bake_table(layers: int) -> nacre.FilmLut:
         transmittance=True,
         tolerance=None,
         size=TABLE,
+        precision=precision,
     )
 
 
@@ -136,7 +137,10 @@ def table_results() -> list[Result]:
             for polarisation in "sp":
                 tmm_fast.coh_tmm(polarisation, n, d, angles, WAVELENGTHS_NM * 1e-9)
 
-    one_layer, deep, theirs = best_seconds([lambda: bake_table(1), lambda: bake_table(16), peer], 3)
+    single = [lambda: bake_table(1, "single"), lambda: bake_table(16, "single")]
+    one_layer, deep, single_one, single_deep, theirs = best_seconds(
+        [lambda: bake_table(1), lambda: bake_table(16), *single, peer], 3
+    )
     what = f"table of {columns} x {rows} film colours from {WAVELENGTHS_NM.size} wavelengths, s"
     return [
         Result(
@@ -154,6 +158,17 @@ def table_results() -> list[Result]:
             peer=one_layer,
             peer_version="Nacre with 1 layer",
             target=DEPTH_TARGET,
+        ),
+        *(
+            Result(
+                id=f"table-{layers}-single",
+                what=f"{what}, {layers} layers, single precision",
+                ours=ours,
+                peer=double,
+                peer_version="Nacre in double precision",
+                target=1.0,
+            )
+            for layers, ours, double in ((1, single_one, one_layer), (16, single_deep, deep))
         ),
     ]
 

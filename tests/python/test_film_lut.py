@@ -172,6 +172,33 @@ def test_without_a_tolerance_errors_are_not_measured():
     assert np.isfinite(measured.reflectance.error_max)
 
 
+@pytest.mark.parametrize("varying", [1, "scale", None])
+def test_single_precision_is_good_to_a_hundred_thousandth(varying):
+    media = [1, "TiO2/Sarkar", "SiO2/Malitson", "Ag/Johnson", "N-BK7/SCHOTT"]
+    options = {
+        "varying": varying,
+        "range_": (0.0, 900.0 if varying == 1 else 3.0),
+        "size": (64, 1 if varying is None else 257),
+        "transmittance": True,
+        "tolerance": None,
+    }
+    double = nacre.film_lut(media, [60.0, 300.0, 15.0], **options)
+    single = nacre.film_lut(media, [60.0, 300.0, 15.0], precision="single", **options)
+    for a, b in zip(double, single, strict=True):
+        assert 0 < np.abs(a.texels - b.texels).max() <= 1e-5
+
+
+def test_single_precision_of_panes_and_bad_words():
+    pane = {"coherent": [False, True], "size": (8, 4), "tolerance": None, "varying": "scale"}
+    double = nacre.film_lut([1, 1.5, 1.4, 1], [1e6, 200.0], **pane)
+    single = nacre.film_lut([1, 1.5, 1.4, 1], [1e6, 200.0], precision="single", **pane)
+    assert np.array_equal(double.reflectance.texels, single.reflectance.texels)
+    with pytest.raises(nacre.NacreError, match="single_precision: must be 0 where errors"):
+        nacre.film_lut(**SOAP, precision="single")
+    with pytest.raises(nacre.NacreError, match="precision: must be 'double' or 'single'"):
+        nacre.film_lut(**SOAP, precision="half")
+
+
 def test_without_a_tolerance_the_size_must_be_given():
     with pytest.raises(nacre.NacreError, match="size: must be given"):
         nacre.film_lut(**SOAP, tolerance=None)

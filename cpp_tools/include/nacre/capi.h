@@ -172,6 +172,7 @@ typedef struct nacre_film {
     double tolerance;  /**< dE00; decides the size; 0 with a size: errors are not measured (NaN) */
     int width, height; /**< > 0: this size instead */
     int transmittance; /**< 1: also bake T */
+    int single_precision; /**< 1: faster, colours good to 1e-5; where errors are not measured */
 } nacre_film;
 
 NACRE_API nacre_status nacre_film_lut(const nacre_film* film, nacre_result** result);

@@ -88,6 +88,7 @@ def film_lut(
     transmittance: bool = False,
     tolerance: float | None = 0.1,
     size: tuple[int, int] | None = None,
+    precision: str = "double",
     illuminant: str = "D65",
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
@@ -110,6 +111,9 @@ def film_lut(
         are not measured but NaN, which takes a fifth of the time.
     size : (width, height), optional
         Takes this size instead.
+    precision : "double" or "single"
+        Single: for previews, with a size and without a tolerance; colours good to 1e-5. Stacks with
+        incoherent layers are baked in double all the same.
 
     Returns
     -------
@@ -131,6 +135,8 @@ def film_lut(
         raise NacreError("size: must be given where the tolerance is None")
     if size is not None and not (1 <= width <= MAX_TEXELS and 1 <= height <= MAX_TEXELS):
         raise NacreError(f"size: must be two numbers in 1…{MAX_TEXELS} (got {size!r})")
+    if precision not in ("double", "single"):
+        raise NacreError(f"precision: must be 'double' or 'single' (got {precision!r})")
     n = np.ascontiguousarray([_index(medium) for medium in media], dtype=np.complex128)
     flags = np.array([True] * layers if coherent is None else coherent, dtype=np.uint8)
     if flags.shape != (layers,):
@@ -150,6 +156,7 @@ def film_lut(
         width=width,
         height=height,
         transmittance=int(transmittance),
+        single_precision=int(precision == "single"),
     )
     handle = c_void_p()
     check(lib.nacre_film_lut(ctypes.byref(film), ctypes.byref(handle)))

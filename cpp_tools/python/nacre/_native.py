@@ -82,6 +82,7 @@ class Film(Structure):
         ("width", c_int),
         ("height", c_int),
         ("transmittance", c_int),
+        ("single_precision", c_int),
     ]
 
 

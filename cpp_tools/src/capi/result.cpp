@@ -64,6 +64,11 @@ lut::FilmTableRequest film_request(const nacre_film& film)
     request.measure_error = !(request.size && film.tolerance == 0.0);
     if (request.measure_error) request.tolerance = film.tolerance;
     request.transmittance = film.transmittance != 0;
+    if (film.single_precision != 0) {
+        if (request.measure_error)
+            fail("single_precision", "must be 0 where errors are measured: their truth is double");
+        request.precision = lut::Precision::single_precision;
+    }
     return request;
 }
 

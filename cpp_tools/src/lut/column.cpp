@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 #include "nacre/core/vector_clones.h"
 
@@ -12,10 +13,16 @@ namespace {
 
 using optics::kLanes;
 using optics::Lanes;
+using optics::LanesOf;
+using optics::SingleLanes;
 
 /// Rows that are computed together: their lanes stay in the first-level cache.
-constexpr std::size_t kRows = 16;
-constexpr std::size_t kAccumulators = 4;
+template <class Real>
+constexpr std::size_t kRows = 128 / sizeof(Real);
+/// Bytes of a vector of sums.
+constexpr std::size_t kVectorBytes = 32;
+template <class Real>
+constexpr std::size_t kAccumulators = kVectorBytes / sizeof(Real);
 
 /// At grazing incidence cosθ = 0 the coefficients of T are 0/0; this close to it R and T equal
 /// their limits (1 and 0, or 0 and 1 for matched indices) to single precision.
@@ -23,18 +30,20 @@ constexpr double kLeastCosine = 1e-10;
 
 /// Weighted sums of one row, spread over independent accumulators in a fixed order: the result
 /// depends neither on the instruction set nor on the number of threads.
+template <class Real>
 struct RowSums {
-    std::array<std::array<double, kAccumulators>, 6> part{};
+    std::array<std::array<Real, kAccumulators<Real>>, 6> part{};
 };
 
-NACRE_VECTOR_CLONES void add_weighted(RowSums& sums, const Lanes& R, const Lanes& T,
-                                      const std::array<Lanes, 3>& weight)
+template <class Real>
+NACRE_INLINE void add_row(RowSums<Real>& sums, const LanesOf<Real>& R, const LanesOf<Real>& T,
+                          const std::array<LanesOf<Real>, 3>& weight)
 {
-    using V [[gnu::vector_size(kAccumulators * sizeof(double))]] = double;
-    const auto load = [](V& value, const double* from) { std::memcpy(&value, from, sizeof value); };
+    using V [[gnu::vector_size(kVectorBytes)]] = Real;
+    const auto load = [](V& value, const Real* from) { std::memcpy(&value, from, sizeof value); };
     V sum[6];
     std::memcpy(&sum, &sums.part, sizeof sum);
-    for (std::size_t i = 0; i < kLanes; i += kAccumulators) {
+    for (std::size_t i = 0; i < kLanes; i += kAccumulators<Real>) {
         V R_i, T_i;
         load(R_i, &R[i]);
         load(T_i, &T[i]);
@@ -48,14 +57,26 @@ NACRE_VECTOR_CLONES void add_weighted(RowSums& sums, const Lanes& R, const Lanes
     static_assert(sizeof sum == sizeof sums.part);
     std::memcpy(&sums.part, &sum, sizeof sum);
 }
+NACRE_VECTOR_CLONES void add_weighted(RowSums<double>& sums, const Lanes& R, const Lanes& T,
+                                      const std::array<Lanes, 3>& weight)
+{
+    add_row(sums, R, T, weight);
+}
+NACRE_VECTOR_CLONES void add_weighted(RowSums<float>& sums, const SingleLanes& R,
+                                      const SingleLanes& T,
+                                      const std::array<SingleLanes, 3>& weight)
+{
+    add_row(sums, R, T, weight);
+}
 
-FilmColour total(const RowSums& sums)
+template <class Real>
+FilmColour total(const RowSums<Real>& sums)
 {
     FilmColour colour{};
     for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t j = 0; j < kAccumulators; ++j) {
-            colour.reflectance[c] += sums.part[c][j];
-            colour.transmittance[c] += sums.part[3 + c][j];
+        for (std::size_t j = 0; j < kAccumulators<Real>; ++j) {
+            colour.reflectance[c] += static_cast<double>(sums.part[c][j]);
+            colour.transmittance[c] += static_cast<double>(sums.part[3 + c][j]);
         }
     }
     return colour;
@@ -77,8 +98,10 @@ SpectralBlocks::Block make_block(const FilmTableRequest& request, std::size_t fi
         const bool padding = first + i >= spectral::kWavelengths;
         const double inverse = 1.0 / spectral::wavelength_nm(k);
         block.inverse_wavelength[i] = inverse;
-        for (std::size_t c = 0; c < 3; ++c)
+        for (std::size_t c = 0; c < 3; ++c) {
             block.weight[c][i] = padding ? 0.0 : request.weights.weight[c][k];
+            block.single_weight[c][i] = static_cast<float>(block.weight[c][i]);
+        }
         block.stack.n_0[i] = stack.ambient[k].real();
         set(block.stack.above, i, stack.ambient[k]);
         set(block.stack.below, i, stack.substrate[k]);
@@ -134,8 +157,9 @@ Column& Column::turn_to(double cos_theta)
     return *this;
 }
 
-void Column::rows(std::size_t b, double first, double step, std::span<Lanes> R,
-                  std::span<Lanes> T) const
+template <class Real>
+void Column::rows(std::size_t b, double first, double step, std::span<LanesOf<Real>> R,
+                  std::span<LanesOf<Real>> T) const
 {
     const auto& block = blocks_[b];
     if (spectral_->variation && spectral_->variation->layer) {
@@ -144,8 +168,9 @@ void Column::rows(std::size_t b, double first, double step, std::span<Lanes> R,
         scale(stride, step);
         if (const auto* map = std::get_if<optics::PhaseMap>(&block))
             map->march(start, stride, R, T);
-        else
-            std::get<optics::MixedStack>(block).march(start, stride, R, T);
+        if constexpr (std::is_same_v<Real, double>)
+            if (const auto* mixed = std::get_if<optics::MixedStack>(&block))
+                mixed->march(start, stride, R, T);
         return;
     }
     if (!spectral_->variation) {
@@ -154,24 +179,41 @@ void Column::rows(std::size_t b, double first, double step, std::span<Lanes> R,
     }
     if (const auto* scaled = std::get_if<optics::ScaledStack>(&block))
         scaled->march(first, step, R, T);
-    else
-        std::get<optics::MixedStack>(block).march(first, step, R, T);
+    if constexpr (std::is_same_v<Real, double>)
+        if (const auto* mixed = std::get_if<optics::MixedStack>(&block))
+            mixed->march(first, step, R, T);
 }
 
-void Column::evaluate(double first, double step, std::span<FilmColour> out) const
+template <class Real>
+void Column::evaluate_in(double first, double step, std::span<FilmColour> out) const
 {
-    std::array<Lanes, kRows> R, T;
-    for (std::size_t start = 0; start < out.size(); start += kRows) {
-        const std::size_t count = std::min(kRows, out.size() - start);
-        std::array<RowSums, kRows> sums{};
+    const auto weights = [this](std::size_t b) -> const std::array<LanesOf<Real>, 3>& {
+        if constexpr (std::is_same_v<Real, double>)
+            return spectral_->blocks[b].weight;
+        else
+            return spectral_->blocks[b].single_weight;
+    };
+    std::array<LanesOf<Real>, kRows<Real>> R, T;
+    for (std::size_t start = 0; start < out.size(); start += kRows<Real>) {
+        const std::size_t count = std::min(kRows<Real>, out.size() - start);
+        std::array<RowSums<Real>, kRows<Real>> sums{};
         for (std::size_t b = 0; b < blocks_.size(); ++b) {
-            rows(b, first + static_cast<double>(start) * step, step, std::span(R).first(count),
-                 std::span(T).first(count));
+            rows<Real>(b, first + static_cast<double>(start) * step, step,
+                       std::span(R).first(count), std::span(T).first(count));
             for (std::size_t row = 0; row < count; ++row)
-                add_weighted(sums[row], R[row], T[row], spectral_->blocks[b].weight);
+                add_weighted(sums[row], R[row], T[row], weights(b));
         }
         for (std::size_t row = 0; row < count; ++row) out[start + row] = total(sums[row]);
     }
+}
+
+void Column::evaluate(double first, double step, std::span<FilmColour> out,
+                      Precision precision) const
+{
+    if (precision == Precision::single_precision && all_coherent(*spectral_))
+        evaluate_in<float>(first, step, out);
+    else
+        evaluate_in<double>(first, step, out);
 }
 
 }  // namespace nacre::lut

@@ -26,6 +26,7 @@ public:
         optics::LaneStack stack;  ///< `waves` as of the request's thicknesses; cosine not set
         optics::Lanes inverse_wavelength;
         std::array<optics::Lanes, 3> weight;
+        std::array<optics::SingleLanes, 3> single_weight;
     };
     std::vector<Block> blocks;
     std::vector<bool> coherent;
@@ -41,15 +42,19 @@ public:
     Column& turn_to(double cos_theta);
 
     /// Colours at first, first + step, …, one for each element of `out`.
-    void evaluate(double first, double step, std::span<FilmColour> out) const;
+    void evaluate(double first, double step, std::span<FilmColour> out,
+                  Precision precision = Precision::double_precision) const;
 
 private:
     /// Folded around the varying layer, prepared for a factor on all, or for incoherent layers.
     std::vector<std::variant<optics::PhaseMap, optics::ScaledStack, optics::MixedStack>> blocks_;
     const SpectralBlocks* spectral_;
 
-    void rows(std::size_t block, double first, double step, std::span<optics::Lanes> R,
-              std::span<optics::Lanes> T) const;
+    template <class Real>
+    void evaluate_in(double first, double step, std::span<FilmColour> out) const;
+    template <class Real>
+    void rows(std::size_t block, double first, double step, std::span<optics::LanesOf<Real>> R,
+              std::span<optics::LanesOf<Real>> T) const;
 };
 
 }  // namespace nacre::lut

@@ -218,7 +218,7 @@ void fill_column(const Baker& baker, Baked& baked, std::size_t x)
     std::vector<FilmColour> exact(height);
     const double cos_theta = static_cast<double>(x) / (baked.size.width - 1);
     baker.column(cos_theta).evaluate(baker.first_value(), 2.0 * half_step(baker, baked.size.height),
-                                     exact);
+                                     exact, baker.request.precision);
     for (std::size_t y = 0; y < height; ++y) baked.set_texel(x, y, exact[y]);
 }
 

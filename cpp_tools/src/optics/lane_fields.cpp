@@ -16,35 +16,41 @@ using simd::store;
 using simd::V;
 
 /// 64 layers between indices of 1e6 and 1e-6 stay within a double's range in steps of this many.
-/// A resonance between two of them still shows.
-constexpr std::size_t kNormaliseEvery = 4;
+/// A resonance between two of them still shows. A float holds less.
+template <class Real>
+constexpr std::size_t kNormaliseEvery = sizeof(Real) == sizeof(double) ? 4 : 1;
+/// Above any power; over it no power becomes subnormal, which costs a hundred cycles.
+template <class Real>
+constexpr Real kLarge = sizeof(Real) == sizeof(double) ? Real(1e100) : Real(1e30);
 
 /// Waves of one polarisation in registers.
-template <std::size_t Count>
+template <class Real, std::size_t Count>
 struct Registers {
-    std::array<C, Count> a, b;
-    // A power over `least` must not become subnormal, which costs a hundred cycles.
-    V passed = V{} + 1.0, least = V{} + 1e100;
+    using Vector = simd::Vector<Real>;
+    using Complex = simd::Complex<Real>;
 
-    NACRE_INLINE void cross(C q_1, C q_2)
+    std::array<Complex, Count> a, b;
+    Vector passed = Vector{} + Real{1}, least = Vector{} + kLarge<Real>;
+
+    NACRE_INLINE void cross(Complex q_1, Complex q_2)
     {
         for (std::size_t w = 0; w < Count; ++w) {
-            const C x = q_1 * (a[w] + b[w]), y = q_2 * (a[w] - b[w]);
+            const Complex x = q_1 * (a[w] + b[w]), y = q_2 * (a[w] - b[w]);
             a[w] = x + y;
             b[w] = x - y;
         }
     }
-    NACRE_INLINE void pass(V through, C E)
+    NACRE_INLINE void pass(Vector through, Complex E)
     {
-        for (C& up : b) up = up * E;
+        for (Complex& up : b) up = up * E;
         passed = passed * through;
     }
     /// Products of many q would overflow. Waves that belong together keep their ratios.
     NACRE_INLINE void normalise()
     {
-        V size{};
-        for (const C& down : a) size += simd::absolute(down.re) + simd::absolute(down.im);
-        const V scale = 1.0 / size;
+        Vector size{};
+        for (const Complex& down : a) size += simd::absolute(down.re) + simd::absolute(down.im);
+        const Vector scale = Real{1} / size;
         for (std::size_t w = 0; w < Count; ++w) {
             a[w] = scale * a[w];
             b[w] = scale * b[w];
@@ -55,33 +61,35 @@ struct Registers {
 };
 
 /// The first goes down, the second up.
-template <std::size_t Count>
-NACRE_INLINE Registers<Count> one_wave_each()
+template <class Real, std::size_t Count>
+NACRE_INLINE Registers<Real, Count> one_wave_each()
 {
-    Registers<Count> waves;
+    Registers<Real, Count> waves;
+    constexpr simd::Vector<Real> zero{};
     for (std::size_t w = 0; w < Count; ++w) {
-        waves.a[w] = {V{} + (w == 0 ? 1.0 : 0.0), V{}};
-        waves.b[w] = {V{} + (w == 0 ? 0.0 : 1.0), V{}};
+        waves.a[w] = {zero + (w == 0 ? Real{1} : Real{0}), zero};
+        waves.b[w] = {zero + (w == 0 ? Real{0} : Real{1}), zero};
     }
     return waves;
 }
 
-template <std::size_t Count>
-NACRE_INLINE void carry(const std::array<LaneFields*, Count>& fields,
-                        const std::vector<Crossing>& crossings)
+template <class Real, std::size_t Count>
+NACRE_INLINE void carry(const std::array<FieldsOf<Real>*, Count>& fields,
+                        const std::vector<CrossingOf<Real>>& crossings)
 {
-    for (std::size_t i = 0; i < kLanes; i += kWidth) {
-        Registers<Count> s = one_wave_each<Count>(), p = s;
+    for (std::size_t i = 0; i < kLanes; i += simd::kWidthOf<Real>) {
+        auto s = one_wave_each<Real, Count>(), p = s;
         for (std::size_t j = crossings.size(); j-- > 0;) {
-            const Crossing& crossing = crossings[j];
-            const C q_1 = load(*crossing.q_1, i), q_2 = load(*crossing.q_2, i);
+            const CrossingOf<Real>& crossing = crossings[j];
+            const simd::Complex<Real> q_1 = load(*crossing.q_1, i), q_2 = load(*crossing.q_2, i);
             s.cross(q_1, q_2);
             p.cross(q_1, q_2 * load(*crossing.ratio, i));
-            const C E = load(crossing.trip->E, i);
-            const V through = 4.0 * simd::norm(q_1) * load(crossing.trip->share, i);
+            const simd::Complex<Real> E = load(crossing.trip->E, i);
+            const simd::Vector<Real> through =
+                Real{4} * simd::norm(q_1) * load(crossing.trip->share, i);
             s.pass(through, E);
             p.pass(through, E);
-            if (j % kNormaliseEvery == kNormaliseEvery - 1) {
+            if (j % kNormaliseEvery<Real> == kNormaliseEvery<Real> - 1) {
                 s.normalise();
                 p.normalise();
             }
@@ -99,6 +107,15 @@ NACRE_INLINE void carry(const std::array<LaneFields*, Count>& fields,
     }
 }
 
+template <class Real>
+NACRE_INLINE void multiply_trips(TripOf<Real>& trip, const TripOf<Real>& more)
+{
+    for (std::size_t i = 0; i < kLanes; i += simd::kWidthOf<Real>) {
+        store(trip.E, i, load(trip.E, i) * load(more.E, i));
+        store(trip.share, i, load(trip.share, i) * load(more.share, i));
+    }
+}
+
 /// Re(q/n²), the admittance of p.
 NACRE_INLINE V tilted(C q, C over_square)
 {
@@ -106,6 +123,17 @@ NACRE_INLINE V tilted(C q, C over_square)
 }
 
 }  // namespace
+
+SingleLanes in_single(const Lanes& lanes)
+{
+    SingleLanes result;
+    for (std::size_t i = 0; i < kLanes; ++i) result[i] = static_cast<float>(lanes[i]);
+    return result;
+}
+ComplexLanesOf<float> in_single(const ComplexLanes& lanes)
+{
+    return {in_single(lanes.re), in_single(lanes.im)};
+}
 
 NACRE_VECTOR_CLONES void prepare_medium(LaneMedium& out, const ComplexLanes& n, const Lanes& n_0)
 {
@@ -189,10 +217,11 @@ NACRE_VECTOR_CLONES void find_half_trip(ComplexLanes& out, const LaneRoot& root,
 
 NACRE_VECTOR_CLONES void add_trip(LaneTrip& trip, const LaneTrip& more)
 {
-    for (std::size_t i = 0; i < kLanes; i += kWidth) {
-        store(trip.E, i, load(trip.E, i) * load(more.E, i));
-        store(trip.share, i, load(trip.share, i) * load(more.share, i));
-    }
+    multiply_trips(trip, more);
+}
+NACRE_VECTOR_CLONES void add_trip(TripOf<float>& trip, const TripOf<float>& more)
+{
+    multiply_trips(trip, more);
 }
 
 NACRE_VECTOR_CLONES void set_doubt(Lanes& out, const LaneRoot& root, const MediumLoad& medium)
@@ -224,13 +253,18 @@ NACRE_VECTOR_CLONES void limit_doubt(Lanes& sum, const Lanes& squares)
 
 NACRE_VECTOR_CLONES void carry_down_wave(LaneFields& fields, const std::vector<Crossing>& crossings)
 {
-    carry<1>({&fields}, crossings);
+    carry<double, 1>({&fields}, crossings);
+}
+NACRE_VECTOR_CLONES void carry_down_wave(FieldsOf<float>& fields,
+                                         const std::vector<CrossingOf<float>>& crossings)
+{
+    carry<float, 1>({&fields}, crossings);
 }
 
 NACRE_VECTOR_CLONES void carry_both_waves(LaneFields& down, LaneFields& up,
                                           const std::vector<Crossing>& crossings)
 {
-    carry<2>({&down, &up}, crossings);
+    carry<double, 2>({&down, &up}, crossings);
 }
 
 NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, Lanes& doubt,
@@ -259,6 +293,33 @@ NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, Lanes& doubt,
     }
 }
 
+NACRE_VECTOR_CLONES void find_mean_scales(MeanScales& out, const LaneEnds& ends)
+{
+    for (std::size_t i = 0; i < kLanes; i += kWidth) {
+        const C q_above = load(*ends.q_above, i), q_below = load(*ends.q_below, i);
+        const V eta_above = tilted(q_above, load(*ends.over_square_above, i));
+        const V eta_below = tilted(q_below, load(*ends.over_square_below, i));
+        store(out.s, i, 0.5 * q_below.re / q_above.re);
+        store(out.p, i, 0.5 * eta_below / eta_above);
+    }
+}
+
+NACRE_VECTOR_CLONES void finish_mean(SingleLanes& R, SingleLanes& T, const FieldsOf<float>& fields,
+                                     const SingleLanes& scale_s, const SingleLanes& scale_p)
+{
+    for (std::size_t i = 0; i < kLanes; i += simd::kWidthOf<float>) {
+        const auto of_s = simd::norm(load(fields.s.a, i)), of_p = simd::norm(load(fields.p.a, i));
+        const auto over_both = 1.0F / (of_s * of_p);
+        const auto over_s = over_both * of_p, over_p = over_both * of_s;
+        store(R, i,
+              0.5F * (over_s * simd::norm(load(fields.s.b, i)) +
+                      over_p * simd::norm(load(fields.p.b, i))));
+        store(T, i,
+              over_s * load(scale_s, i) * load(fields.passed_s, i) +
+                  over_p * load(scale_p, i) * load(fields.passed_p, i));
+    }
+}
+
 NACRE_VECTOR_CLONES void gather_phase(ComplexLanes& out, const std::vector<Crossing>& crossings,
                                       const std::vector<const ComplexLanes*>& half_trips)
 {
@@ -268,7 +329,7 @@ NACRE_VECTOR_CLONES void gather_phase(ComplexLanes& out, const std::vector<Cross
         for (std::size_t j = crossings.size(); j-- > 0;) {
             product = product * load(*crossings[j].q_1, i);
             if (half_trips[j] != nullptr) product = product * load(*half_trips[j], i);
-            if (j % kNormaliseEvery != 0) continue;
+            if (j % kNormaliseEvery<double> != 0) continue;
             const V size = simd::absolute(product.re) + simd::absolute(product.im);
             product = (1.0 / (size + kNotZero)) * product;
         }

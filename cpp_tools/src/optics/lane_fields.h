@@ -18,6 +18,9 @@
 
 namespace nacre::optics::detail {
 
+[[nodiscard]] SingleLanes in_single(const Lanes& lanes);
+[[nodiscard]] ComplexLanesOf<float> in_single(const ComplexLanes& lanes);
+
 /// What a medium brings that does not depend on the angle.
 struct LaneMedium {
     ComplexLanes excess;  ///< n² − n_0²
@@ -31,23 +34,29 @@ struct LaneRoot {
 };
 
 /// One passage through a layer at an angle.
-struct LaneTrip {
-    ComplexLanes E;  ///< e^{2iδ}
-    Lanes share;     ///< |E|, what is left of a power
+template <class Real>
+struct TripOf {
+    ComplexLanesOf<Real> E;  ///< e^{2iδ}
+    LanesOf<Real> share;     ///< |E|, what is left of a power
 };
+using LaneTrip = TripOf<double>;
 
-struct Waves {
-    ComplexLanes a, b;
+template <class Real>
+struct WavesOf {
+    ComplexLanesOf<Real> a, b;
 };
+using Waves = WavesOf<double>;
 
 /// Waves of both polarisations, and what |t|² gathers on the way: the product of all |2q₁ e^{iδ}|².
-struct LaneFields {
-    Waves s, p;
-    Lanes passed_s, passed_p;
+template <class Real>
+struct FieldsOf {
+    WavesOf<Real> s, p;
+    LanesOf<Real> passed_s, passed_p;
     /// Least `passed` at a wave of about 1 anywhere in the stack: |t|² over it is how much
     /// stronger than outside the field is there.
-    Lanes least_s, least_p;
+    LanesOf<Real> least_s, least_p;
 };
+using LaneFields = FieldsOf<double>;
 
 void prepare_medium(LaneMedium& out, const ComplexLanes& n, const Lanes& n_0);
 /// n₁²/n₂².
@@ -63,6 +72,7 @@ void find_trip(LaneTrip& out, const LaneRoot& root, const Lanes& waves, double f
 void find_half_trip(ComplexLanes& out, const LaneRoot& root, const Lanes& waves);
 /// The trip of the sum of two thicknesses.
 void add_trip(LaneTrip& trip, const LaneTrip& more);
+void add_trip(TripOf<float>& trip, const TripOf<float>& more);
 
 /// All layers of one medium: how many, and their thickness over wavelength.
 struct MediumLoad {
@@ -78,12 +88,15 @@ void add_doubt(Lanes& sum, Lanes& squares, const LaneRoot& root, const MediumLoa
 void limit_doubt(Lanes& sum, const Lanes& squares);
 
 /// An interface and the passage through what lies above it.
-struct Crossing {
-    const ComplexLanes *q_1, *q_2, *ratio;
-    const LaneTrip* trip;
+template <class Real>
+struct CrossingOf {
+    const ComplexLanesOf<Real>*q_1, *q_2, *ratio;
+    const TripOf<Real>* trip;
 };
+using Crossing = CrossingOf<double>;
 /// What is above the first crossing if below the last one a wave of strength 1 goes down.
 void carry_down_wave(LaneFields& fields, const std::vector<Crossing>& crossings);
+void carry_down_wave(FieldsOf<float>& fields, const std::vector<CrossingOf<float>>& crossings);
 /// The same, and for one that goes up; both scaled alike.
 void carry_both_waves(LaneFields& down, LaneFields& up, const std::vector<Crossing>& crossings);
 
@@ -100,6 +113,13 @@ struct LaneEnds {
 /// @param doubt  multiplied by the enhancement of the field: a resonance enlarges errors of phase
 void finish_power(LanePower& s, LanePower& p, Lanes& doubt, const LaneFields& fields,
                   const LaneEnds& ends);
+/// Of R and T of the mean of both polarisations: Re η below over twice that above.
+struct MeanScales {
+    Lanes s, p;
+};
+void find_mean_scales(MeanScales& out, const LaneEnds& ends);
+void finish_mean(SingleLanes& R, SingleLanes& T, const FieldsOf<float>& fields,
+                 const SingleLanes& scale_s, const SingleLanes& scale_p);
 /// @param phase  of gather_phase()
 void finish_amplitudes(LaneAmplitudes& s, LaneAmplitudes& p, const LaneFields& fields,
                        const ComplexLanes& phase, const LaneEnds& ends);

@@ -8,6 +8,7 @@ namespace {
 
 using detail::AngledStack;
 using detail::Crossing;
+using detail::in_single;
 using detail::LaneFields;
 using detail::LaneTrip;
 using detail::Waves;
@@ -27,7 +28,7 @@ NACRE_INLINE Modulus squared_modulus(C a, C b)
             -2.0 * (a.re * b.im - a.im * b.re)};
 }
 
-NACRE_INLINE void put(PhaseMap::Coefficients& out, std::size_t i, const Modulus& n,
+NACRE_INLINE void put(PhaseMap::Coefficients<double>& out, std::size_t i, const Modulus& n,
                       const Modulus& d, V tau)
 {
     const V scale = 1.0 / (d.m0 + d.m1);
@@ -44,17 +45,18 @@ NACRE_INLINE void put(PhaseMap::Coefficients& out, std::size_t i, const Modulus&
 
 /// @param passed  |product of 2q₁ and e^{iδ}|² of all but the varying layer, with Re η below /
 /// above
-NACRE_INLINE void coefficients(PhaseMap::Coefficients& out, std::size_t i, const Waves& below,
-                               const Waves& down, const Waves& up, V passed)
+NACRE_INLINE void coefficients(PhaseMap::Coefficients<double>& out, std::size_t i,
+                               const Waves& below, const Waves& down, const Waves& up, V passed)
 {
     const C alpha = load(below.a, i), beta = load(below.b, i);
     put(out, i, squared_modulus(alpha * load(down.b, i), beta * load(up.b, i)),
         squared_modulus(alpha * load(down.a, i), beta * load(up.a, i)), passed);
 }
 
-NACRE_VECTOR_CLONES void finish_map(PhaseMap::Coefficients& s_out, PhaseMap::Coefficients& p_out,
-                                    const LaneFields& below, const LaneFields& down,
-                                    const LaneFields& up, const detail::LaneEnds& ends)
+NACRE_VECTOR_CLONES void finish_map(PhaseMap::Coefficients<double>& s_out,
+                                    PhaseMap::Coefficients<double>& p_out, const LaneFields& below,
+                                    const LaneFields& down, const LaneFields& up,
+                                    const detail::LaneEnds& ends)
 {
     for (std::size_t i = 0; i < kLanes; i += kWidth) {
         const C q_a = load(*ends.q_above, i), q_b = load(*ends.q_below, i);
@@ -68,24 +70,55 @@ NACRE_VECTOR_CLONES void finish_map(PhaseMap::Coefficients& s_out, PhaseMap::Coe
 }
 
 /// One row, and the phase on to the next.
-NACRE_VECTOR_CLONES void map_row(const PhaseMap::Coefficients& s, const PhaseMap::Coefficients& p,
-                                 ComplexLanes& phase, const ComplexLanes& turn, Lanes& R, Lanes& T)
+template <class Real>
+NACRE_INLINE void row_of(const PhaseMap::Coefficients<Real>& s,
+                         const PhaseMap::Coefficients<Real>& p, ComplexLanesOf<Real>& phase,
+                         const ComplexLanesOf<Real>& turn, LanesOf<Real>& R, LanesOf<Real>& T)
 {
-    for (std::size_t i = 0; i < kLanes; i += kWidth) {
-        const C E = load(phase, i);
-        const V e2 = simd::norm(E);
+    using Lanes = LanesOf<Real>;
+    using Vector = simd::Vector<Real>;
+    for (std::size_t i = 0; i < kLanes; i += simd::kWidthOf<Real>) {
+        const simd::Complex<Real> E = load(phase, i);
+        const Vector e2 = simd::norm(E);
         const auto form = [&](const Lanes& c0, const Lanes& c1, const Lanes& c2, const Lanes& c3)
             __attribute__((always_inline))
         {
             return load(c0, i) + load(c1, i) * e2 + load(c2, i) * E.re + load(c3, i) * E.im;
         };
-        const V n_s = form(s.n0, s.n1, s.n2, s.n3), d_s = form(s.d0, s.d1, s.d2, s.d3);
-        const V n_p = form(p.n0, p.n1, p.n2, p.n3), d_p = form(p.d0, p.d1, p.d2, p.d3);
-        const V half = 0.5 / (d_s * d_p);
+        const Vector n_s = form(s.n0, s.n1, s.n2, s.n3), d_s = form(s.d0, s.d1, s.d2, s.d3);
+        const Vector n_p = form(p.n0, p.n1, p.n2, p.n3), d_p = form(p.d0, p.d1, p.d2, p.d3);
+        const Vector half = 0.5 / (d_s * d_p);
         store(R, i, half * (n_s * d_p + n_p * d_s));
         store(T, i, half * simd::square_root(e2) * (load(s.tau, i) * d_p + load(p.tau, i) * d_s));
         store(phase, i, E * load(turn, i));
     }
+}
+NACRE_VECTOR_CLONES void map_row(const PhaseMap::Coefficients<double>& s,
+                                 const PhaseMap::Coefficients<double>& p, ComplexLanes& phase,
+                                 const ComplexLanes& turn, Lanes& R, Lanes& T)
+{
+    row_of(s, p, phase, turn, R, T);
+}
+NACRE_VECTOR_CLONES void map_row(const PhaseMap::Coefficients<float>& s,
+                                 const PhaseMap::Coefficients<float>& p,
+                                 ComplexLanesOf<float>& phase, const ComplexLanesOf<float>& turn,
+                                 SingleLanes& R, SingleLanes& T)
+{
+    row_of(s, p, phase, turn, R, T);
+}
+
+PhaseMap::Coefficients<float> in_single(const PhaseMap::Coefficients<double>& c)
+{
+    using detail::in_single;
+    return {.n0 = in_single(c.n0),
+            .n1 = in_single(c.n1),
+            .n2 = in_single(c.n2),
+            .n3 = in_single(c.n3),
+            .d0 = in_single(c.d0),
+            .d1 = in_single(c.d1),
+            .d2 = in_single(c.d2),
+            .d3 = in_single(c.d3),
+            .tau = in_single(c.tau)};
 }
 
 /// E = e^{2iδ} of a layer.
@@ -145,6 +178,18 @@ void PhaseMap::march(const Lanes& first, const Lanes& step, std::span<Lanes> R,
     round_trip(q_, first, phase);
     round_trip(q_, step, turn);
     for (std::size_t row = 0; row < R.size(); ++row) map_row(s_, p_, phase, turn, R[row], T[row]);
+}
+
+void PhaseMap::march(const Lanes& first, const Lanes& step, std::span<SingleLanes> R,
+                     std::span<SingleLanes> T) const noexcept
+{
+    ComplexLanes phase, turn;
+    round_trip(q_, first, phase);
+    round_trip(q_, step, turn);
+    const Coefficients<float> s = in_single(s_), p = in_single(p_);
+    ComplexLanesOf<float> single_phase = in_single(phase), single_turn = in_single(turn);
+    for (std::size_t row = 0; row < R.size(); ++row)
+        map_row(s, p, single_phase, single_turn, R[row], T[row]);
 }
 
 }  // namespace nacre::optics

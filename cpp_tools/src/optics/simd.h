@@ -11,59 +11,87 @@
 #include "nacre/optics/stack_batch.h"
 
 /// @file
-/// Four doubles at a time in the compiler's own vector type (GCC, Clang), which it lowers to SSE2,
-/// AVX2, AVX-512VL or NEON. Sources that use it are compiled with contraction: where the machine
-/// fuses products and sums, results differ from the others' by roundings.
+/// Four doubles or eight floats at a time in the compiler's own vector types (GCC, Clang), which it
+/// lowers to SSE2, AVX2, AVX-512VL or NEON. Sources that use it are compiled with contraction:
+/// where the machine fuses products and sums, results differ from the others' by roundings.
 
 namespace nacre::optics::simd {
 
-inline constexpr std::size_t kWidth = 4;
-static_assert(kLanes % kWidth == 0);
+template <class Real>
+struct VectorOf;
+template <>
+struct VectorOf<double> {
+    using Type [[gnu::vector_size(32)]] = double;
+    using Bits [[gnu::vector_size(32)]] = long long;
+};
+template <>
+struct VectorOf<float> {
+    using Type [[gnu::vector_size(32)]] = float;
+    using Bits [[gnu::vector_size(32)]] = int;
+};
+template <class Real>
+using Vector = typename VectorOf<Real>::Type;
 
-using V [[gnu::vector_size(kWidth * sizeof(double))]] = double;
-using Bits [[gnu::vector_size(kWidth * sizeof(double))]] = long long;
+template <class Real>
+inline constexpr std::size_t kWidthOf = sizeof(Vector<Real>) / sizeof(Real);
+static_assert(kLanes % kWidthOf<float> == 0);
 
-NACRE_INLINE V load(const Lanes& lanes, std::size_t i)
+/// A complex number whose product is four multiplications: std::complex checks for NaN.
+template <class Real>
+struct Complex {
+    Vector<Real> re, im;
+};
+
+using V = Vector<double>;
+using Bits = VectorOf<double>::Bits;
+using C = Complex<double>;
+inline constexpr std::size_t kWidth = kWidthOf<double>;
+
+template <class Real>
+NACRE_INLINE Vector<Real> load(const LanesOf<Real>& lanes, std::size_t i)
 {
-    V value;
+    Vector<Real> value;
     std::memcpy(&value, lanes.data() + i, sizeof value);
     return value;
 }
-NACRE_INLINE void store(Lanes& lanes, std::size_t i, V value)
+template <class Real>
+NACRE_INLINE void store(LanesOf<Real>& lanes, std::size_t i, Vector<Real> value)
 {
     std::memcpy(lanes.data() + i, &value, sizeof value);
 }
-
-/// A complex number whose product is four multiplications: std::complex checks for NaN.
-struct C {
-    V re, im;
-};
-NACRE_INLINE C load(const ComplexLanes& lanes, std::size_t i)
+template <class Real>
+NACRE_INLINE Complex<Real> load(const ComplexLanesOf<Real>& lanes, std::size_t i)
 {
     return {load(lanes.re, i), load(lanes.im, i)};
 }
-NACRE_INLINE void store(ComplexLanes& lanes, std::size_t i, C value)
+template <class Real>
+NACRE_INLINE void store(ComplexLanesOf<Real>& lanes, std::size_t i, Complex<Real> value)
 {
     store(lanes.re, i, value.re);
     store(lanes.im, i, value.im);
 }
-NACRE_INLINE C operator+(C a, C b)
+template <class Real>
+NACRE_INLINE Complex<Real> operator+(Complex<Real> a, Complex<Real> b)
 {
     return {a.re + b.re, a.im + b.im};
 }
-NACRE_INLINE C operator-(C a, C b)
+template <class Real>
+NACRE_INLINE Complex<Real> operator-(Complex<Real> a, Complex<Real> b)
 {
     return {a.re - b.re, a.im - b.im};
 }
-NACRE_INLINE C operator*(C a, C b)
+template <class Real>
+NACRE_INLINE Complex<Real> operator*(Complex<Real> a, Complex<Real> b)
 {
     return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
-NACRE_INLINE C operator*(V a, C b)
+template <class Real>
+NACRE_INLINE Complex<Real> operator*(Vector<Real> a, Complex<Real> b)
 {
     return {a * b.re, a * b.im};
 }
-NACRE_INLINE V norm(C a)
+template <class Real>
+NACRE_INLINE Vector<Real> norm(Complex<Real> a)
 {
     return a.re * a.re + a.im * a.im;
 }
@@ -84,10 +112,20 @@ NACRE_INLINE V absolute(V x)
 {
     return (V)((Bits)x & 0x7fff'ffff'ffff'ffffLL);
 }
+NACRE_INLINE Vector<float> absolute(Vector<float> x)
+{
+    return (Vector<float>)((VectorOf<float>::Bits)x & 0x7fff'ffff);
+}
 NACRE_INLINE V square_root(V x)
 {
     V root;
     for (std::size_t i = 0; i < kWidth; ++i) root[i] = std::sqrt(x[i]);
+    return root;
+}
+NACRE_INLINE Vector<float> square_root(Vector<float> x)
+{
+    Vector<float> root;
+    for (std::size_t i = 0; i < kWidthOf<float>; ++i) root[i] = std::sqrt(x[i]);
     return root;
 }
 

@@ -96,4 +96,71 @@ void ScaledStack::march(double first, double step, std::span<Lanes> R, std::span
     }
 }
 
+namespace {
+
+/// Roots, ratios and trips of a march in single precision, where crossings point to.
+class SingleMarch {
+public:
+    SingleMarch(const AngledStack& stack, double first, double step)
+    {
+        std::vector<LaneTrip> trips;
+        stack.find_trips(trips, first);
+        const std::vector<Crossing> crossings = stack.crossings(trips, 0, stack.layers() + 1);
+        trips_ = in_single(trips);
+        keep_media(crossings);
+        for (std::size_t j = 0; j < crossings.size(); ++j)
+            crossings_.push_back(
+                {.q_1 = &q_[j],
+                 .q_2 = &q_[j + 1],
+                 .ratio = &ratios_[j],
+                 .trip = &trips_[static_cast<std::size_t>(crossings[j].trip - trips.data())]});
+        stack.find_trips(trips, step);
+        steps_ = in_single(trips);
+        detail::MeanScales scales;
+        find_mean_scales(scales, stack.ends());
+        scale_s_ = detail::in_single(scales.s);
+        scale_p_ = detail::in_single(scales.p);
+    }
+
+    void row(SingleLanes& R, SingleLanes& T)
+    {
+        carry_down_wave(fields_, crossings_);
+        finish_mean(R, T, fields_, scale_s_, scale_p_);
+        for (std::size_t t = 0; t < trips_.size(); ++t) add_trip(trips_[t], steps_[t]);
+    }
+
+private:
+    static std::vector<detail::TripOf<float>> in_single(const std::vector<LaneTrip>& trips)
+    {
+        std::vector<detail::TripOf<float>> result;
+        result.reserve(trips.size());
+        for (const LaneTrip& trip : trips)
+            result.push_back({detail::in_single(trip.E), detail::in_single(trip.share)});
+        return result;
+    }
+    void keep_media(const std::vector<Crossing>& crossings)
+    {
+        q_.push_back(detail::in_single(*crossings.front().q_1));
+        for (const Crossing& crossing : crossings) {
+            q_.push_back(detail::in_single(*crossing.q_2));
+            ratios_.push_back(detail::in_single(*crossing.ratio));
+        }
+    }
+
+    std::vector<detail::TripOf<float>> trips_, steps_;
+    std::vector<ComplexLanesOf<float>> q_, ratios_;
+    std::vector<detail::CrossingOf<float>> crossings_;
+    detail::FieldsOf<float> fields_;
+    SingleLanes scale_s_, scale_p_;
+};
+
+}  // namespace
+
+void ScaledStack::march(double first, double step, std::span<SingleLanes> R,
+                        std::span<SingleLanes> T) const
+{
+    SingleMarch march(*stack_, first, step);
+    for (std::size_t row = 0; row < R.size(); ++row) march.row(R[row], T[row]);
+}
+
 }  // namespace nacre::optics

@@ -247,6 +247,50 @@ TEST(PhaseMap, MarchesOverTheThicknessOfOneLayer)
     }
 }
 
+/// Largest difference of two marches.
+double off(const std::vector<Lanes>& exact, const std::vector<SingleLanes>& single)
+{
+    double worst = 0.0;
+    for (std::size_t row = 0; row < exact.size(); ++row)
+        for (std::size_t i = 0; i < kLanes; ++i)
+            worst = std::max(worst, std::abs(exact[row][i] - static_cast<double>(single[row][i])));
+    return worst;
+}
+
+TEST(PhaseMap, SinglePrecisionIsNear)
+{
+    Random random(11);
+    Lanes first, step;
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        first[i] = random(0.0, 20.0);
+        step[i] = random(0.0, 0.1);
+    }
+    std::vector<Lanes> R(32), T(32);
+    std::vector<SingleLanes> single_R(32), single_T(32);
+    for (const std::size_t layers : {1, 3, 12})
+        for (std::size_t varying = 0; varying < layers; ++varying) {
+            const PhaseMap map(pack(random.lanes(layers, 200.0)), varying);
+            map.march(first, step, R, T);
+            map.march(first, step, single_R, single_T);
+            EXPECT_LE(off(R, single_R), 2e-5) << layers;
+            EXPECT_LE(off(T, single_T), 2e-5) << layers;
+        }
+}
+
+TEST(ScaledStack, SinglePrecisionIsNear)
+{
+    Random random(12);
+    std::vector<Lanes> R(32), T(32);
+    std::vector<SingleLanes> single_R(32), single_T(32);
+    for (const std::size_t layers : {0, 1, 5, 20, 64}) {
+        const ScaledStack scaled(pack(random.lanes(layers, 150.0)));
+        scaled.march(0.25, 0.05, R, T);
+        scaled.march(0.25, 0.05, single_R, single_T);
+        EXPECT_LE(off(R, single_R), 2e-5) << layers;
+        EXPECT_LE(off(T, single_T), 2e-5) << layers;
+    }
+}
+
 // The thickness that the stack came with is not read.
 TEST(PhaseMap, ForgetsTheThicknessOfItsLayer)
 {
