@@ -22,12 +22,12 @@ struct VectorOf;
 template <>
 struct VectorOf<double> {
     using Type [[gnu::vector_size(32)]] = double;
-    using Bits [[gnu::vector_size(32)]] = long long;
+    using Bits [[gnu::vector_size(32)]] = unsigned long long;  // sums wrap
 };
 template <>
 struct VectorOf<float> {
     using Type [[gnu::vector_size(32)]] = float;
-    using Bits [[gnu::vector_size(32)]] = int;
+    using Bits [[gnu::vector_size(32)]] = unsigned;
 };
 template <class Real>
 using Vector = typename VectorOf<Real>::Type;
@@ -110,11 +110,11 @@ NACRE_INLINE bool all_zero(V x)
 
 NACRE_INLINE V absolute(V x)
 {
-    return (V)((Bits)x & 0x7fff'ffff'ffff'ffffLL);
+    return (V)((Bits)x & 0x7fff'ffff'ffff'ffffULL);
 }
 NACRE_INLINE Vector<float> absolute(Vector<float> x)
 {
-    return (Vector<float>)((VectorOf<float>::Bits)x & 0x7fff'ffff);
+    return (Vector<float>)((VectorOf<float>::Bits)x & 0x7fff'ffffU);
 }
 NACRE_INLINE V square_root(V x)
 {
@@ -145,7 +145,7 @@ NACRE_INLINE Root upper_root(C z)
     const V modulus = square_root(norm(z)) + 1e-24;
     const V large = square_root(0.5 * (modulus + absolute(z.re)));
     const V inverse = 1.0 / large, small = 0.5 * z.im * inverse;
-    const Bits right = z.re >= 0.0;
+    const auto right = z.re >= 0.0;
     return {{right ? large : small, right ? small : large}, modulus, large, inverse};
 }
 
@@ -170,7 +170,7 @@ NACRE_INLINE C cis_turns(V turns)
             c67 = 1.0 / 479001600.0 + y * (-1.0 / 87178291200.0);
     const V cosine = (c01 + y2 * c23) + y4 * (c45 + y2 * c67 + y4 * (1.0 / 20922789888000.0));
     // The low bits of `shifted` are the quarter, in two's complement.
-    const Bits odd = (quarter & 1) != 0;
+    const auto odd = (quarter & 1) != 0;
     const V re = odd ? sine : cosine, im = odd ? cosine : sine;
     const Bits re_sign = ((quarter + 1) & 2) << 62, im_sign = (quarter & 2) << 62;
     return {(V)((Bits)re ^ re_sign), (V)((Bits)im ^ im_sign)};
