@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "nacre/spectral/optical_constants.h"
@@ -64,6 +66,22 @@ TEST(Library, HasTheIndicesOfHandbooks)
     EXPECT_NEAR(library_medium("LiF/Li").constants->at(587.5618).real(), 1.3921, 1e-3);
     EXPECT_NEAR(library_medium("S-FPL53/OHARA").constants->at(587.5618).real(), 1.43875, 1e-5);
     EXPECT_NEAR(library_medium("air/Ciddor").constants->at(587.5618).real(), 1.000277, 1e-6);
+}
+
+// Leertouwer et al. 2011, abstract: 400, 500 and 600 nm. Stavenga et al. 2015: 1.7 to 1.8.
+TEST(Library, HasTheMatterOfWingsAndFeathers)
+{
+    for (const auto& [key, indices] :
+         {std::pair{"chitin/Leertouwer", std::array{1.572, 1.552, 1.541}},
+          std::pair{"keratin/Leertouwer", std::array{1.569, 1.556, 1.548}}})
+        for (std::size_t i = 0; i < 3; ++i)
+            EXPECT_NEAR(library_medium(key).constants->at(400.0 + 100.0 * double(i)).real(),
+                        indices[i], 6e-4)
+                << key;
+    const auto& melanin = *library_medium("melanin/Stavenga").constants;
+    EXPECT_NEAR(melanin.at(420.0).real(), 1.8, 0.02);
+    EXPECT_NEAR(melanin.at(700.0).real(), 1.7, 0.01);
+    EXPECT_NEAR(melanin.at(545.0).imag(), 0.56 * std::exp(-545.0 / 270.0), 5e-5);
 }
 
 // What the supplied templates and the documentation name.
