@@ -200,3 +200,37 @@ def test_a_light_of_the_white_is_d65():
     wide = nacre.rgb_to_spectrum([0.1, 0.5, 0.1], space="lin_ap1_scene")
     back = nacre.spectrum_to_colour(wide.wavelength_nm, wide.values, space="lin_ap1_scene").rgb
     np.testing.assert_allclose(back, [0.1, 0.5, 0.1], atol=1e-9)
+
+
+def test_illuminants_by_name_and_form():
+    for ours, theirs in (("D65", "D65"), ("A", "A"), ("F11", "FL11")):
+        power = nacre.illuminant(ours)
+        expected = colour.SDS_ILLUMINANTS[theirs].copy()
+        at = np.arange(380, 781, 5)
+        np.testing.assert_allclose(power[at - 360], [expected[nm] for nm in at], rtol=1e-12)
+    line = nacre.illuminant("line:500.25@2")
+    assert line[500 - 360 : 502 - 360].tolist() == [1.5, 0.5]
+    assert line.sum() == 2.0
+    with pytest.raises(nacre.NacreError, match="daylight"):
+        nacre.illuminant("sun")
+
+
+@pytest.mark.parametrize("kelvin", [1500, 2856, 4000, 6504, 15000])
+def test_colour_temperature_of_black_bodies(kelvin):
+    found = nacre.spectrum_to_colour(GRID, nacre.illuminant(f"blackbody:{kelvin}"), "emission")
+    cct, duv = nacre.colour_temperature(found.XYZ)
+    assert cct == pytest.approx(kelvin, abs=0.1)
+    assert duv == pytest.approx(0, abs=1e-6)
+
+
+def test_colour_temperature_has_the_shape_of_the_colours():
+    d65, green = [0.95047, 1.0, 1.08883], [0.2, 1.0, 0.1]
+    cct, duv = nacre.colour_temperature([[d65, green], [green, np.zeros(3)]])
+    assert cct.shape == duv.shape == (2, 2)
+    assert np.isnan(cct).tolist() == np.isnan(duv).tolist() == [[False, True], [True, True]]
+    uv = colour.UCS_to_uv(colour.XYZ_to_UCS(d65))
+    theirs = colour.temperature.uv_to_CCT_Ohno2013(uv)
+    assert cct[0, 0] == pytest.approx(theirs[0], abs=0.5)
+    assert duv[0, 0] == pytest.approx(theirs[1], abs=1e-5)
+    with pytest.raises(nacre.NacreError, match=r"XYZ: must have shape \(\.\.\., 3\)"):
+        nacre.colour_temperature([1.0, 2.0])

@@ -98,21 +98,10 @@ std::string key_of_file(const ImportOptions& options, const std::string& file)
                        part.empty() ? "entry" : part);
 }
 
-UserEntry read_medium(const ImportOptions& options, const std::string& file, std::string text)
+UserEntry read_medium(const ImportOptions& options, const std::string& file)
 {
-    const std::string extension = std::filesystem::path(file).extension().string();
-    if (extension == ".yml" || extension == ".yaml") {
-        const auto medium = spectral::parse_refractiveindex_yaml(text, file);
-        if (!options.citation.empty()) {
-            if (!medium.references.empty())
-                throw InputError({file, 0, "REFERENCES", "is stated: --citation would replace it"});
-            text += fmt::format("\nREFERENCES: {}\n", nlohmann::json(options.citation).dump());
-        }
-    } else {
-        text = spectral::refractiveindex_yaml_from_csv(text, file, options.citation);
-    }
-    (void)spectral::parse_refractiveindex_yaml(text, file);  // what is saved can be read
-    return {EntryKind::medium, key_of_file(options, file), std::move(text)};
+    return {EntryKind::medium, key_of_file(options, file),
+            spectral::refractiveindex_yaml_of_file(read_text(file), file, options.citation)};
 }
 
 NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
@@ -181,7 +170,7 @@ std::vector<UserEntry> read_source(const ImportOptions& options, const Source& s
     const bool yaml = extension == ".yml" || extension == ".yaml";
     if (yaml && !options.kind.empty() && options.kind != "medium")
         throw InputError({file, 0, "--kind", "must be medium for optical constants"});
-    if (yaml || options.kind == "medium") return {read_medium(options, file, read_text(file))};
+    if (yaml || options.kind == "medium") return {read_medium(options, file)};
     return read_spectra(options, file);
 }
 

@@ -9,7 +9,16 @@ are listed from the ambient down, angles are measured in the ambient, wavelength
 from __future__ import annotations
 
 from . import library, textures
-from ._colour import Colour, RgbSpectrum, map_range, rgb_to_spectrum, spectrum_to_colour
+from ._colour import (
+    Colour,
+    ColourTemperature,
+    RgbSpectrum,
+    colour_temperature,
+    illuminant,
+    map_range,
+    rgb_to_spectrum,
+    spectrum_to_colour,
+)
 from ._compile import CompiledMaterial, compile_template
 from ._film import FilmLut, Table, film_lut
 from ._grating import GratingOrders, grating_orders
@@ -21,6 +30,7 @@ from ._stack_colour import StackColour, stack_colour
 __version__ = version()
 __all__ = [
     "Colour",
+    "ColourTemperature",
     "CompiledMaterial",
     "FilmLut",
     "GratingOrders",
@@ -29,10 +39,12 @@ __all__ = [
     "StackColour",
     "StackResult",
     "Table",
+    "colour_temperature",
     "compile_template",
     "film_lut",
     "film_reflectance",
     "grating_orders",
+    "illuminant",
     "library",
     "map_range",
     "rgb_to_spectrum",

@@ -24,6 +24,14 @@ class Colour(NamedTuple):
     rgb: np.ndarray
 
 
+class ColourTemperature(NamedTuple):
+    """Two arrays of shape (...): kelvin, and the distance from the Planckian locus in CIE 1960 uv,
+    positive above it. NaN where a colour has none."""
+
+    cct_K: np.ndarray  # noqa: N815 the unit
+    duv: np.ndarray
+
+
 class RgbSpectrum(NamedTuple):
     """Spectra that have given colours."""
 
@@ -191,3 +199,56 @@ def map_range(rgb: ArrayLike, how: str = "normalise") -> np.ndarray:
         raise NacreError(f"rgb: must have 3 channels on the last axis (got shape {colours.shape})")
     check(lib.nacre_map_range(colours.size // 3, colours.ctypes.data, text(how, "how")))
     return colours
+
+
+def colour_temperature(XYZ: ArrayLike) -> ColourTemperature:  # noqa: N803 the letters of the CIE
+    """Correlated colour temperature and Duv of colours.
+
+    Parameters
+    ----------
+    XYZ : float, shape (..., 3)
+        Of the CIE 1931 observer, on any scale.
+
+    Returns
+    -------
+    ColourTemperature, two arrays of shape (...)
+        NaN where |duv| > 0.05 or nearest to a temperature outside 1000-100 000 K.
+
+    Raises
+    ------
+    NacreError
+        Another shape.
+
+    Source: Ohno 2013, doi:10.1080/15502724.2014.839020; the nearest point is found by search.
+    """
+    colours = doubles(XYZ, "XYZ")
+    if colours.ndim < 1 or colours.shape[-1] != 3:
+        raise NacreError(f"XYZ: must have shape (..., 3) (got {colours.shape})")
+    cct, duv = np.empty(colours.shape[:-1]), np.empty(colours.shape[:-1])
+    check(
+        lib.nacre_colour_temperature(
+            cct.size, colours.ctypes.data, cct.ctypes.data, duv.ctypes.data
+        )
+    )
+    return ColourTemperature(cct, duv)
+
+
+def illuminant(name: str) -> np.ndarray:
+    """Relative spectral power of a light, float64 (471,) over 360-830 nm at 1 nm.
+
+    Parameters
+    ----------
+    name : str
+        "D65", "A", ..., a light of the library ("lamp/hps"), "blackbody:3200", "daylight:5600", or
+        lines with their powers, "line:435.8@1,546.1@0.8".
+
+    Raises
+    ------
+    NacreError
+        Another name (the message lists them), or a number out of range.
+
+    Source: CIE 015:2018; Planck's law with c2 = 1.4388e-2 m K.
+    """
+    power = np.empty(GRID_NM.size)
+    check(lib.nacre_illuminant(text(name, "name"), power.ctypes.data))
+    return power

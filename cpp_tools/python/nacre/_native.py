@@ -185,6 +185,17 @@ _SIGNATURES = {
     "nacre_library_spectrum_count": (c_size_t, []),
     "nacre_library_spectrum_key": (c_char_p, [c_size_t]),
     "nacre_library_spectrum": (c_int, [c_char_p, POINTER(Spectrum)]),
+    "nacre_illuminant": (c_int, [c_char_p, c_void_p]),
+    "nacre_colour_temperature": (c_int, [c_size_t, *[c_void_p] * 3]),
+    "nacre_read_spectra": (c_int, [c_char_p, c_size_t, c_char_p, POINTER(c_void_p)]),
+    "nacre_spectra_count": (c_size_t, [c_void_p]),
+    "nacre_spectra_at": (c_int, [c_void_p, c_size_t, POINTER(Spectrum), POINTER(c_char_p)]),
+    "nacre_spectra_free": (None, [c_void_p]),
+    "nacre_library_add_spectra": (
+        c_int,
+        [c_size_t, POINTER(Spectrum), POINTER(c_char_p), c_int],
+    ),
+    "nacre_library_add_medium": (c_int, [c_char_p, c_char_p, c_size_t, c_char_p, c_char_p, c_int]),
     "nacre_texture_samples": (c_int, [c_size_t, c_void_p, c_void_p, c_int, c_void_p]),
     "nacre_pack_spectra": (c_int, [c_size_t, c_void_p, c_char_p, c_size_t, c_void_p]),
     "nacre_unpack_spectra": (

@@ -5,6 +5,9 @@
 from __future__ import annotations
 
 import ctypes
+import os
+from collections.abc import Iterable
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -41,8 +44,9 @@ class Medium(NamedTuple):
 
 
 class Spectrum(NamedTuple):
-    """kind: `emission` (relative power) or `reflectance` (ratio, also of transmittance); references:
-    citation; wavelength_nm (ascending, vacuum) and values: float64 (N,), copies; tags: e.g. `led`."""
+    """kind: `emission` (relative power) or `reflectance` (ratio, also of transmittance), or empty
+    where a file does not tell; references: citation; wavelength_nm (ascending, vacuum) and values:
+    float64 (N,), copies; tags: e.g. `led`."""
 
     key: str
     name: str
@@ -99,18 +103,99 @@ def spectrum(key: str) -> Spectrum:
     the message names near ones."""
     found = _native.Spectrum()
     check(lib.nacre_library_spectrum(text(key, "key"), ctypes.byref(found)))
+    return _spectrum_from(found, _words("spectra", key)[1])
+
+
+def _spectrum_from(found: _native.Spectrum, tags: tuple[str, ...]) -> Spectrum:
     wavelengths, values = (
         np.ctypeslib.as_array(pointer, (found.count,)).copy()
         for pointer in (found.wavelength_nm, found.values)
     )
-    return Spectrum(
-        found.key.decode(),
-        found.name.decode(),
-        found.kind.decode(),
-        found.references.decode(),
-        found.licence.decode(),
-        found.comments.decode(),
-        wavelengths,
-        values,
-        _words("spectra", key)[1],
+    words = (found.key, found.name, found.kind, found.references, found.licence, found.comments)
+    return Spectrum(*(word.decode() for word in words), wavelengths, values, tags)
+
+
+def read(path: str | os.PathLike[str]) -> list[Spectrum]:
+    """Spectra of a file: `.csv`, `.spd` of Mitsuba and pbrt, `.spdx` (IES TM-27-14) or CGATS.
+
+    Raises NacreError with all that is wrong, each with its line; OSError where there is no file.
+    """
+    content = Path(path).read_bytes()
+    handle = ctypes.c_void_p()
+    name = os.fsencode(path)
+    check(lib.nacre_read_spectra(content, len(content), name, ctypes.byref(handle)))
+    try:
+        spectra = []
+        for index in range(lib.nacre_spectra_count(handle)):
+            found, tags = _native.Spectrum(), ctypes.c_char_p()
+            check(lib.nacre_spectra_at(handle, index, ctypes.byref(found), ctypes.byref(tags)))
+            spectra.append(_spectrum_from(found, tuple(tags.value.decode().splitlines())))
+        return spectra
+    finally:
+        lib.nacre_spectra_free(handle)
+
+
+def add(spectra: Spectrum | Iterable[Spectrum], *, replace: bool = False) -> None:
+    """Puts spectra into the user's own library, $XDG_DATA_HOME/nacre: all or, when one is refused,
+    none. Each needs its `key` and `kind`; `spectrum._replace(key="lamp/mine")` sets them.
+
+    replace: in place of the user's entries of these keys; what was looked up before stays as it was
+    until Python ends. Raises NacreError for a text that is no key, a key that comes with Nacre or
+    exists, wavelengths that do not ascend, and values that do not suit the kind.
+    """
+    entries = [spectra] if isinstance(spectra, Spectrum) else list(spectra)
+    records = (_native.Spectrum * len(entries))()
+    tags = (ctypes.c_char_p * len(entries))()
+    arrays = []  # what the records point to
+    for index, entry in enumerate(entries):
+        wavelengths = doubles(entry.wavelength_nm, "wavelength_nm")
+        values = doubles(entry.values, "values", wavelengths.shape)
+        arrays.append((wavelengths, values))
+        for field in ("key", "name", "kind", "references", "licence", "comments"):
+            setattr(records[index], field, text(getattr(entry, field), field))
+        records[index].count = wavelengths.size
+        records[index].wavelength_nm = wavelengths.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        records[index].values = values.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        tags[index] = text("\n".join(entry.tags), "tags")
+    check(lib.nacre_library_add_spectra(len(entries), records, tags, int(replace)))
+
+
+def add_medium(
+    key: str,
+    source: str | os.PathLike[str] | tuple[ArrayLike, ArrayLike],
+    *,
+    references: str = "",
+    replace: bool = False,
+) -> Medium:
+    """Puts optical constants into the user's own library, and returns them.
+
+    source: a file of refractiveindex.info (`.yml`), a `.csv` with columns `wavelength_nm`, `n` and
+    perhaps `k`, or a pair of arrays (N,): wavelengths in nm, ascending, and n + ik. references:
+    citation, where the file has none. replace, and what is refused: as in add().
+    """
+    if isinstance(source, tuple):
+        file, content = "samples", _table(*source)
+    else:
+        file, content = os.fsdecode(source), Path(source).read_bytes()
+    words = text(references, "references")
+    check(
+        lib.nacre_library_add_medium(
+            text(key, "key"), content, len(content), os.fsencode(file), words, int(replace)
+        )
     )
+    return medium(key)
+
+
+def _table(wavelength_nm: ArrayLike, n: ArrayLike) -> bytes:
+    """Samples of a medium as the text of a table."""
+    wavelengths = doubles(wavelength_nm, "wavelength_nm")
+    index = _native.complexes(n, "n")
+    if wavelengths.ndim != 1 or index.shape != wavelengths.shape:
+        raise NacreError(
+            f"source: must be two arrays of shape (N,) (got {wavelengths.shape}, {index.shape})"
+        )
+    rows = [
+        f"{float(nm)!r},{float(value.real)!r},{float(value.imag)!r}"
+        for nm, value in zip(wavelengths, index, strict=True)
+    ]
+    return "\n".join(["wavelength_nm,n,k", *rows, ""]).encode()

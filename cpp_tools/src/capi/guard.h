@@ -50,6 +50,11 @@ inline void require(const void* pointer, const char* field)
     if (pointer == nullptr) fail(field, "must not be null");
 }
 
+inline std::string text_or_empty(const char* text)
+{
+    return text == nullptr ? std::string() : std::string(text);
+}
+
 /// Runs `solve` for each item; what it throws says which one.
 template <class Solve>
 void for_each_item(std::size_t count, Solve&& solve)

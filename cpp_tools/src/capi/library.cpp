@@ -69,11 +69,6 @@ bool is_media(int kind)
     return kind == NACRE_MEDIA;
 }
 
-std::string text_or_empty(const char* text)
-{
-    return text == nullptr ? std::string() : std::string(text);
-}
-
 KeyList& media()
 {
     thread_local KeyList list(spectral::library_keys);

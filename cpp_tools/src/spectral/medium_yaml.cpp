@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "nacre/core/diagnostics.h"
+#include "nacre/spectral/optical_constants.h"
 #include "text_lines.h"
 
 namespace nacre::spectral {
@@ -35,6 +37,24 @@ std::string medium_yaml(const MediumTable& table)
         yaml += table.k ? fmt::format(" {}\n", (*table.k)[i]) : "\n";
     }
     return yaml;
+}
+
+std::string refractiveindex_yaml_of_file(std::string_view text, std::string_view file,
+                                         std::string_view references)
+{
+    if (!file.ends_with(".yml") && !file.ends_with(".yaml")) {
+        std::string yaml = refractiveindex_yaml_from_csv(text, file, references);
+        (void)parse_refractiveindex_yaml(yaml, file);
+        return yaml;
+    }
+    const Medium medium = parse_refractiveindex_yaml(text, file);
+    std::string yaml(text);
+    const std::string citation = clean_text(std::string(references));
+    if (citation.empty()) return yaml;
+    if (!medium.references.empty())
+        throw InputError(
+            {std::string(file), 0, "REFERENCES", "is stated already: leave the citation out"});
+    return yaml + fmt::format("\nREFERENCES: {}\n", quoted_text(citation));
 }
 
 }  // namespace nacre::spectral

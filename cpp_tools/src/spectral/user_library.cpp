@@ -60,7 +60,7 @@ void check_entries(const std::vector<UserEntry>& entries, bool replace)
         else if (is_shipped(kind, key))
             add("comes with Nacre and is not replaced; choose another key");
         else if (const auto file = user_library_file(kind, key); file && !replace)
-            add(fmt::format("is there already, see {}; --replace takes the new one",
+            add(fmt::format("is there already, see {}; to take the new one, replace it",
                             file->string()));
     }
     problems.throw_if_any();

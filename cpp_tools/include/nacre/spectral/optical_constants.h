@@ -83,6 +83,13 @@ struct Medium {
                                                         std::string_view k_name,
                                                         std::string_view references);
 
+/// The YAML of one file of optical constants, as a library keeps it: `.yml` and `.yaml` as they
+/// are, anything else as CSV. What comes back can be parsed.
+/// @param references  citation; refused for a YAML file that states its own
+/// @throws InputError with line numbers.
+[[nodiscard]] std::string refractiveindex_yaml_of_file(std::string_view text, std::string_view file,
+                                                       std::string_view references);
+
 /// A medium that comes with Nacre or is the user's own, by key; `air` and `vacuum` are n = 1.
 /// Thread-safe; the reference stays valid.
 /// @throws InputError for an unknown key; the message names near matches.
