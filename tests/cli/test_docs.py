@@ -24,6 +24,7 @@ DOCUMENTS = (
     "README.md",
     "CONTRIBUTING.md",
     "cpp_tools/doc/colour.md",
+    "cpp_tools/doc/interfaces.md",
     "cpp_tools/doc/library.md",
     "cpp_tools/doc/models.md",
     "cpp_tools/doc/sampling.md",
@@ -43,11 +44,17 @@ def marked_blocks(document: str) -> list[re.Match]:
 def run(language: str, text: str, folder: Path, program: Path) -> str:
     path = os.pathsep.join([str(program.parent), os.environ["PATH"]])
     packages = str(ROOT / "cpp_tools" / "python")
+    lib = str(program.parent.parent / "lib")
+    compiler = {
+        "C_INCLUDE_PATH": str(ROOT / "cpp_tools" / "include"),
+        "LIBRARY_PATH": lib,
+        "LD_LIBRARY_PATH": lib,
+    }
     command = {"sh": ["bash", "-euo", "pipefail", "-c"], "python": [sys.executable, "-c"]}[language]
     result = subprocess.run(
         [*command, text],
         cwd=folder,
-        env={**os.environ, "PATH": path, "PYTHONPATH": packages},
+        env={**os.environ, **compiler, "PATH": path, "PYTHONPATH": packages},
         capture_output=True,
         text=True,
         timeout=300,
@@ -116,3 +123,54 @@ def test_library_page_counts_the_spectra(nacre):
     counted = Counter(entry["key"].split("/")[0] for entry in spectra)
     families = dict(re.findall(r"^\| `([\w.]+)/` \| (\d+) \| [a-z]+ \|", text, re.MULTILINE))
     assert families == {family: str(count) for family, count in counted.items()}
+
+
+def names_of_interfaces(column: int) -> set[str]:
+    """In one column of the table that puts tool, Python and C side by side."""
+    text = (ROOT / "cpp_tools/doc/interfaces.md").read_text(encoding="utf-8")
+    rows = [row.split("|") for row in text.splitlines() if row.startswith("|")][2:]
+    return {name for row in rows for name in re.findall(r"`([^`]+)`", row[column])}
+
+
+def test_interfaces_page_has_every_function_of_c():
+    headers = ROOT / "cpp_tools" / "include" / "nacre"
+    declared = {
+        name
+        for header in (headers / "capi.h", *(headers / "capi").glob("*.h"))
+        for name in re.findall(
+            r"\b(nacre_\w+)\(", re.sub(r"/\*.*?\*/", "", header.read_text(), flags=re.S)
+        )
+    }
+    assert names_of_interfaces(4) == declared
+
+
+def test_interfaces_page_has_every_function_of_python():
+    sys.path.insert(0, str(ROOT / "cpp_tools" / "python"))
+    import nacre
+
+    def functions(module, prefix=""):
+        return {
+            prefix + name
+            for name, value in vars(module).items()
+            if callable(value)
+            and not isinstance(value, type)
+            and not name.startswith("_")
+            and value.__module__.startswith("nacre")
+            and (prefix == "" or value.__module__ == module.__name__)
+        }
+
+    expected = (
+        functions(nacre)
+        | functions(nacre.library, "library.")
+        | functions(nacre.textures, "textures.")
+    )
+    named = names_of_interfaces(3) - {"FilmLut", "CompiledMaterial", "NacreError", "__version__"}
+    assert named == expected
+
+
+def test_interfaces_page_has_every_command_that_computes(nacre):
+    named = names_of_interfaces(2)
+    for command in ("eval", "bake"):
+        listed = re.findall(r"^  (\w+) {4,}", nacre.ok(command, "--help"), re.MULTILINE)
+        assert listed
+        assert {f"{command} {name}" for name in listed} <= named

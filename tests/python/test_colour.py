@@ -234,3 +234,11 @@ def test_colour_temperature_has_the_shape_of_the_colours():
     assert duv[0, 0] == pytest.approx(theirs[1], abs=1e-5)
     with pytest.raises(nacre.NacreError, match=r"XYZ: must have shape \(\.\.\., 3\)"):
         nacre.colour_temperature([1.0, 2.0])
+
+
+@pytest.mark.parametrize("observer", OBSERVERS)
+def test_colour_matching_functions(observer):
+    ours = nacre.colour_matching(observer)
+    np.testing.assert_allclose(ours, colour.MSDS_CMFS[OBSERVERS[observer]].values, atol=1e-12)
+    with pytest.raises(nacre.NacreError, match="cie1964"):
+        nacre.colour_matching("eye")

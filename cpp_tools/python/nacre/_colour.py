@@ -252,3 +252,22 @@ def illuminant(name: str) -> np.ndarray:
     power = np.empty(GRID_NM.size)
     check(lib.nacre_illuminant(text(name, "name"), power.ctypes.data))
     return power
+
+
+def colour_matching(observer: str = "cie1931") -> np.ndarray:
+    """Colour-matching functions, float64 (471, 3): x, y and z over 360-830 nm at 1 nm.
+
+    Parameters
+    ----------
+    observer : "cie1931" (2 degrees) or "cie1964" (10 degrees)
+
+    Raises
+    ------
+    NacreError
+        Another name; the message lists them.
+
+    Source: CIE 018:2019.
+    """
+    xyz = np.empty((GRID_NM.size, 3))
+    check(lib.nacre_colour_matching(text(observer, "observer"), xyz.ctypes.data))
+    return xyz

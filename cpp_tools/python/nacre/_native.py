@@ -186,6 +186,7 @@ _SIGNATURES = {
     "nacre_library_spectrum_key": (c_char_p, [c_size_t]),
     "nacre_library_spectrum": (c_int, [c_char_p, POINTER(Spectrum)]),
     "nacre_illuminant": (c_int, [c_char_p, c_void_p]),
+    "nacre_colour_matching": (c_int, [c_char_p, c_void_p]),
     "nacre_colour_temperature": (c_int, [c_size_t, *[c_void_p] * 3]),
     "nacre_read_spectra": (c_int, [c_char_p, c_size_t, c_char_p, POINTER(c_void_p)]),
     "nacre_spectra_count": (c_size_t, [c_void_p]),

@@ -14,6 +14,7 @@
 #include "guard.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/illuminant.h"
+#include "nacre/spectral/observer.h"
 #include "nacre/spectral/optical_constants.h"
 #include "nacre/spectral/spectrum_files.h"
 #include "nacre/spectral/user_library.h"
@@ -87,6 +88,19 @@ nacre_status nacre_illuminant(const char* name, double* power)
         capi::require(power, "power");
         const spectral::Illuminant light = spectral::named_illuminant(name);
         std::copy(light.power.begin(), light.power.end(), power);
+    });
+}
+
+nacre_status nacre_colour_matching(const char* observer, double* xyz)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        capi::require(observer, "observer");
+        capi::require(xyz, "xyz");
+        const auto& functions = spectral::observer(spectral::observer_from_name(observer));
+        for (size_t i = 0; i < spectral::kWavelengths; ++i)
+            for (const auto* function : {&functions.x, &functions.y, &functions.z})
+                *xyz++ = (*function)[i];
     });
 }
 

@@ -33,6 +33,27 @@ TEST(CapiIlluminant, ByNameAndByForm)
     EXPECT_EQ(error(nacre_illuminant(nullptr, power.data())), "name: must not be null");
 }
 
+// CIE 018:2019: 1 at 555 nm and the sum of y, of either observer.
+TEST(CapiColourMatching, OfBothObservers)
+{
+    std::vector<double> xyz(std::size_t{3} * NACRE_WAVELENGTHS);
+    const auto sum_y = [&xyz] {
+        double sum = 0.0;
+        for (std::size_t i = 1; i < xyz.size(); i += 3) sum += xyz[i];
+        return sum;
+    };
+    ASSERT_EQ(nacre_colour_matching("cie1931", xyz.data()), NACRE_OK);
+    const double* const green = &xyz[std::size_t{3} * (555 - 360)];
+    EXPECT_NEAR(green[0], 0.5120501, 1e-6);
+    EXPECT_NEAR(green[1], 1.0, 1e-6);
+    EXPECT_NEAR(green[2], 0.00575, 1e-5);
+    EXPECT_NEAR(sum_y(), 106.856917, 1e-6);
+    ASSERT_EQ(nacre_colour_matching("cie1964", xyz.data()), NACRE_OK);
+    EXPECT_NEAR(sum_y(), 116.661877, 1e-6);
+    EXPECT_NE(error(nacre_colour_matching("cie2006", xyz.data())).find("cie1931"),
+              std::string::npos);
+}
+
 // CIE 015: D65 at 6504 K, A at 2856 K on the locus, both by c2 of the temperature scale of today.
 TEST(CapiColourTemperature, OfDaylightOfALampAndOfGreen)
 {

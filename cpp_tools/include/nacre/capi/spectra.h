@@ -25,6 +25,13 @@ extern "C" {
 NACRE_API nacre_status nacre_illuminant(const char* name, double* power);
 
 /**
+ * Colour-matching functions of the CIE.
+ * @param observer  "cie1931" (2 degrees) or "cie1964" (10 degrees)
+ * @param xyz       NACRE_WAVELENGTHS x 3
+ */
+NACRE_API nacre_status nacre_colour_matching(const char* observer, double* xyz);
+
+/**
  * Correlated colour temperature and distance from the Planckian locus, as Ohno 2013 defines them.
  * @param XYZ    count x 3, of the CIE 1931 observer
  * @param cct_K  count; NaN where |duv| > 0.05 or outside 1000 ... 100 000 K
