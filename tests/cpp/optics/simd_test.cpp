@@ -55,7 +55,8 @@ TEST(Simd, ExpDecayWithinItsBound)
     std::mt19937_64 engine(2);
     double worst = 0.0;
     for (int draw = 0; draw < kDraws; ++draw) {
-        const double x = draw % 2 == 0 ? uniform(engine, -700.0, 0.0) : uniform(engine, -2.0, 0.0);
+        const double least[] = {-700.0, -2.0, -2.0 * kWeak};
+        const double x = uniform(engine, least[draw % 3], 0.0);
         const double found = exp_decay(V{} + x)[0];
         const auto exact = std::exp(static_cast<long double>(x));
         const double ulp =
@@ -66,6 +67,19 @@ TEST(Simd, ExpDecayWithinItsBound)
     EXPECT_EQ(exp_decay(V{})[0], 1.0);
     for (const double x : {-700.5, -1e4, -1e300, -std::numeric_limits<double>::infinity()})
         EXPECT_EQ(exp_decay(V{} + x)[0], 0.0) << x;
+}
+
+TEST(Simd, ExpDecayOfALaneDoesNotDependOnItsNeighbours)
+{
+    std::mt19937_64 engine(4);
+    for (int draw = 0; draw < kDraws; ++draw) {
+        V x;
+        for (std::size_t lane = 0; lane < kWidth; ++lane)
+            x[lane] = uniform(engine, (lane + draw) % 2 == 0 ? -kWeak : -20.0, 0.0);
+        const V together = exp_decay(x);
+        for (std::size_t lane = 0; lane < kWidth; ++lane)
+            ASSERT_EQ(together[lane], exp_decay(V{} + x[lane])[0]) << x[lane];
+    }
 }
 
 TEST(Simd, UpperRootSquaresBack)
