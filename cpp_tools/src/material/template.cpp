@@ -10,6 +10,7 @@
 #include "nacre/core/limits.h"
 #include "nacre/core/sha256.h"
 #include "read_kinds.h"
+#include "toml_keys.h"
 #include "toml_section.h"
 
 namespace nacre::material {
@@ -145,6 +146,9 @@ MaterialTemplate parse_template(std::string_view toml, std::string_view file)
     if (toml.size() > kMaxTextBytes)
         throw InputError({std::string(file), 0, "",
                           "must not be larger than " + std::to_string(kMaxTextBytes) + " bytes"});
+    if (const int line = line_of_endless_key(toml))
+        throw InputError({std::string(file), line, "",
+                          fmt::format("must not have keys of more than {} parts", kMaxKeyParts)});
     toml::table table;
     try {
         table = toml::parse(toml, file);

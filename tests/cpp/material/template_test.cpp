@@ -297,5 +297,47 @@ TEST(Limits, HoldForTemplates)
                        "exceeded maximum nested value depth of 256");
 }
 
+std::string dotted(std::size_t parts)
+{
+    std::string key = "a";
+    for (std::size_t i = 1; i < parts; ++i) key += " . a";
+    return key;
+}
+
+TEST(Limits, HoldForDottedKeys)
+{
+    const std::string endless = dotted(100'000);
+    for (const std::string& key : {dotted(kMaxKeyParts + 1), endless}) {
+        const std::string texts[] = {key + " = 1",
+                                     "[" + key + "]",
+                                     "[[" + key + "]]",
+                                     "b = { " + key + " = 1 }",
+                                     "b = [ {" + key + " = 1} ]",
+                                     R"("x".'y'.)" + key,
+                                     "b = 'a\\'\n" + key,
+                                     "b = ''\n" + key,
+                                     "b = \"\\\"\"\n" + key,
+                                     "b = \"\"\"\n\\\"\"\"\"\"\"\n" + key};
+        for (const std::string& text : texts) {
+            const auto line = 2 + std::ranges::count(text, '\n');
+            EXPECT_INPUT_ERROR(
+                (void)parse_template("# 1.2.3\n" + text, "x.toml"),
+                "x.toml:" + std::to_string(line) + ": must not have keys of more than 16 parts");
+        }
+    }
+    const std::string longest = dotted(kMaxKeyParts);
+    const std::string texts[] = {longest + " = 1",
+                                 "[" + longest + "]",
+                                 "# " + endless,
+                                 "b = \"" + endless + "\"",
+                                 "b = '" + endless + "'",
+                                 "b = '''\n" + endless + "\n'''",
+                                 "b = \"\"\"\n\\\"\"\"" + endless + "\"\"\"\"\"",
+                                 "b = [1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5,"
+                                 "1.5, 1.5, 1.5, 1.5, 1.5, 1.5, 1.5]"};
+    for (const std::string& text : texts)
+        EXPECT_INPUT_ERROR((void)parse_template(text, "x.toml"), "schema: missing");
+}
+
 }  // namespace
 }  // namespace nacre::material

@@ -16,6 +16,8 @@ inline constexpr std::size_t kMaxBatchBytes = std::size_t{256} << 20;
 
 inline constexpr int kMaxJsonDepth = 64;
 inline constexpr int kMaxXmlDepth = 16;
+/// Parts of a dotted key of TOML.
+inline constexpr std::size_t kMaxKeyParts = 16;
 
 /// Samples of one spectrum, and spectra in one file.
 inline constexpr std::size_t kMaxSamples = 100'000;
