@@ -50,16 +50,6 @@ std::vector<NamedSpectrum> read_spectra_file(const std::string& file)
 
 namespace {
 
-NamedSpectrum spectrum_of_light(const std::string& name)
-{
-    const spectral::Illuminant light = spectral::named_illuminant(name);
-    NamedSpectrum spectrum =
-        named_spectrum(light.name, spectral::kFirstNm, {light.power.begin(), light.power.end()},
-                       SpectrumKind::emission);
-    spectrum.key = name;
-    return spectrum;
-}
-
 bool has_key(const std::string& key)
 {
     const auto keys = spectral::library_spectrum_keys();
@@ -85,7 +75,7 @@ std::vector<NamedSpectrum> read_spectra_input(const std::string& input)
     if (like_key && input.find('.') == std::string::npos)
         return {spectral::library_spectrum(input)};
     try {
-        return {spectrum_of_light(input)};
+        return {spectral::light_spectrum(input)};
     } catch (const InputError& error) {
         throw InputError({input, 0, "INPUT",
                           fmt::format("must be a file, the key of a spectrum (nacre library list) "

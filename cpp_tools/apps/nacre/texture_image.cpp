@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "nacre/core/limits.h"
 #include "nacre/core/version.h"
 #include "nacre/spectral/spectrum_texture.h"
 #include "output.h"
@@ -116,17 +117,34 @@ void write_texture(const Session& session, const std::string& output, const Imag
         session.detail(fmt::format("{}: {}", output, figure));
 }
 
-std::string spectra_csv(const std::vector<NamedSpectrum>& spectra)
+namespace {
+
+/// Those of all spectra; where they differ every whole nanometre between them as well, so that the
+/// interpolation of a reader does not alter what was sampled more coarsely.
+std::vector<double> shared_wavelengths(const std::vector<NamedSpectrum>& spectra)
 {
     std::set<double> wavelengths;
-    std::string text = "wavelength_nm";
+    bool differ = false;
     for (const NamedSpectrum& spectrum : spectra) {
         const auto& own = spectrum.samples.wavelengths_nm();
+        differ = differ || own != spectra.front().samples.wavelengths_nm();
         wavelengths.insert(own.begin(), own.end());
-        text += "," + cell_text(label_of(spectrum));
     }
+    const double first = differ ? *wavelengths.begin() : 0.0;
+    const double last = differ ? *wavelengths.rbegin() : 0.0;
+    if (last - first < static_cast<double>(kMaxSamples))
+        for (double nm = std::ceil(first); nm < last; nm += 1.0) wavelengths.insert(nm);
+    return {wavelengths.begin(), wavelengths.end()};
+}
+
+}  // namespace
+
+std::string spectra_csv(const std::vector<NamedSpectrum>& spectra)
+{
+    std::string text = "wavelength_nm";
+    for (const NamedSpectrum& spectrum : spectra) text += "," + cell_text(label_of(spectrum));
     text += "\n";
-    const std::vector<double> rows(wavelengths.begin(), wavelengths.end());
+    const std::vector<double> rows = shared_wavelengths(spectra);
     std::vector<std::vector<double>> columns;
     columns.reserve(spectra.size());
     for (const NamedSpectrum& spectrum : spectra) columns.push_back(spectrum.values_at(rows));

@@ -4,21 +4,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "csv_table.h"
+#include "illuminant_table.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/spectrum.h"
 
 namespace nacre::spectral {
 
 namespace {
-
-/// The CIE defines its illuminants between the published samples by linear interpolation.
-Sampled column_on_grid(const CsvTable& table, std::size_t column)
-{
-    return Spectrum(table.columns[0], table.columns[column]).on_grid(Interpolation::linear);
-}
 
 [[noreturn]] void throw_range(const char* field, double low, double high, double got)
 {
@@ -29,7 +25,7 @@ Sampled column_on_grid(const CsvTable& table, std::size_t column)
 
 }  // namespace
 
-Illuminant blackbody(double kelvin)
+Spectrum blackbody_samples(double kelvin)
 {
     constexpr double kLowest = 100.0, kHighest = 1e6, kC2 = 1.4388e-2, kReferenceNm = 560.0;
     if (!(kelvin >= kLowest && kelvin <= kHighest))
@@ -40,14 +36,17 @@ Illuminant blackbody(double kelvin)
         const double x = kC2 / (nm * 1e-9 * kelvin);
         return -5.0 * std::log(nm / kReferenceNm) - (x + std::log(-std::expm1(-x)));
     };
-    Illuminant illuminant{.name = fmt::format("blackbody {} K", kelvin), .power = {}};
+    constexpr int kFrom = 300, kTo = 900;
+    std::vector<double> wavelengths, power;
     const double reference = log_radiance(kReferenceNm);
-    for (std::size_t i = 0; i < kWavelengths; ++i)
-        illuminant.power[i] = 100.0 * std::exp(log_radiance(wavelength_nm(i)) - reference);
-    return illuminant;
+    for (int nm = kFrom; nm <= kTo; ++nm) {
+        wavelengths.push_back(nm);
+        power.push_back(100.0 * std::exp(log_radiance(nm) - reference));
+    }
+    return {std::move(wavelengths), std::move(power)};
 }
 
-Illuminant daylight(double kelvin)
+Spectrum daylight_samples(double kelvin)
 {
     constexpr double kLowest = 4000.0, kHighest = 25000.0, kBreak = 7000.0;
     if (!(kelvin >= kLowest && kelvin <= kHighest))
@@ -63,14 +62,36 @@ Illuminant daylight(double kelvin)
     const double m1 = std::nearbyint((-1.3515 - 1.7703 * x + 5.9114 * y) / m * 1000.0) / 1000.0;
     const double m2 = std::nearbyint((0.0300 - 31.4424 * x + 30.0717 * y) / m * 1000.0) / 1000.0;
 
-    const CsvTable table = load_csv("spd/cie_daylight_components.csv", 4);
-    const Sampled s0 = column_on_grid(table, 1);
-    const Sampled s1 = column_on_grid(table, 2);
-    const Sampled s2 = column_on_grid(table, 3);
-    Illuminant illuminant{.name = fmt::format("daylight {} K", kelvin), .power = {}};
-    for (std::size_t i = 0; i < kWavelengths; ++i)
-        illuminant.power[i] = s0[i] + m1 * s1[i] + m2 * s2[i];
-    return illuminant;
+    CsvTable table = load_csv("spd/cie_daylight_components.csv", 4);
+    const auto& s1 = table.columns[2];
+    const auto& s2 = table.columns[3];
+    std::vector<double> power = std::move(table.columns[1]);
+    for (std::size_t i = 0; i < power.size(); ++i) power[i] += m1 * s1[i] + m2 * s2[i];
+    return {std::move(table.columns[0]), std::move(power)};
+}
+
+Spectrum line_samples(const std::vector<SpectralLine>& lines)
+{
+    // On the grid, and nothing on its either side.
+    std::vector<double> wavelengths, power(kWavelengths + 2);
+    for (int nm = kFirstNm - 1; nm <= kLastNm + 1; ++nm) wavelengths.push_back(nm);
+    const Sampled grid = line_spectrum(lines).power;
+    std::ranges::copy(grid, power.begin() + 1);
+    return {std::move(wavelengths), std::move(power)};
+}
+
+// The CIE defines its illuminants between the published samples by linear interpolation.
+
+Illuminant blackbody(double kelvin)
+{
+    return {.name = fmt::format("blackbody {} K", kelvin),
+            .power = blackbody_samples(kelvin).on_grid(Interpolation::linear)};
+}
+
+Illuminant daylight(double kelvin)
+{
+    return {.name = fmt::format("daylight {} K", kelvin),
+            .power = daylight_samples(kelvin).on_grid(Interpolation::linear)};
 }
 
 }  // namespace nacre::spectral

@@ -101,11 +101,6 @@ Spectrum samples_of(const NamedTable& table)
     return {std::move(csv.columns[0]), std::move(csv.columns[table.column])};
 }
 
-Illuminant tabulated(const NamedTable& table)
-{
-    return {.name = table.name, .power = samples_of(table).on_grid(Interpolation::linear)};
-}
-
 constexpr std::string_view kKeyFolder = "cie/";
 
 const NamedTable* table_of_key(std::string_view key)
@@ -128,39 +123,48 @@ std::string comment_of(const NamedTable& table, std::string_view word)
 }
 
 /// A light of the library of spectra. Its name always has a slash, which no other name has.
-Illuminant library_light(std::string_view key)
+const NamedSpectrum& library_light(std::string_view key)
 {
     const NamedSpectrum& found = library_spectrum(key);
     if (found.kind != SpectrumKind::emission)
         throw_problem(fmt::format("must be a light; {} is a reflectance", key));
-    return {.name = std::string(key), .power = found.on_grid()};
+    return found;
+}
+
+/// @throws InputError for what is neither of the illuminants with tables nor of their forms
+Spectrum samples_of_name(std::string_view name)
+{
+    const auto* const found = std::ranges::find(kTables, name, &NamedTable::name);
+    if (found != std::end(kTables)) return samples_of(*found);
+    const std::size_t colon = name.find(':');
+    if (colon != std::string_view::npos) {
+        const std::string_view kind = name.substr(0, colon), value = name.substr(colon + 1);
+        if (kind == "blackbody") return blackbody_samples(number(value, "temperature in K"));
+        if (kind == "daylight") return daylight_samples(number(value, "temperature in K"));
+        if (kind == "line") return line_samples(parse_lines(value));
+    }
+    throw_problem(fmt::format("must be one of {}, {} (got '{}')",
+                              fmt::join(illuminant_names(), ", "), kIlluminantForms, name));
 }
 
 }  // namespace
 
-Illuminant named_illuminant(std::string_view name)
+NamedSpectrum light_spectrum(std::string_view text)
 {
-    const auto* const found = std::ranges::find(kTables, name, &NamedTable::name);
-    if (found != std::end(kTables)) return tabulated(*found);
-    if (name.find('/') != std::string_view::npos) return library_light(name);
+    if (text.find('/') != std::string_view::npos) return library_light(text);
+    return {.key = std::string(text),
+            .name = std::string(text),
+            .references = {},
+            .licence = {},
+            .comments = {},
+            .tags = {},
+            .kind = SpectrumKind::emission,
+            .samples = samples_of_name(text)};
+}
 
-    const std::size_t colon = name.find(':');
-    const std::string_view kind = name.substr(0, colon);
-    const bool has_value = colon != std::string_view::npos;
-    const std::string_view value = has_value ? name.substr(colon + 1) : std::string_view();
-    Illuminant illuminant{};
-    if (has_value && kind == "blackbody") {
-        illuminant = blackbody(number(value, "temperature in K"));
-    } else if (has_value && kind == "daylight") {
-        illuminant = daylight(number(value, "temperature in K"));
-    } else if (has_value && kind == "line") {
-        illuminant = line_spectrum(parse_lines(value));
-    } else {
-        throw_problem(fmt::format("must be one of {}, {} (got '{}')",
-                                  fmt::join(illuminant_names(), ", "), kIlluminantForms, name));
-    }
-    illuminant.name = name;
-    return illuminant;
+Illuminant named_illuminant(std::string_view text)
+{
+    return {.name = std::string(text), .power = light_spectrum(text).on_grid()};
 }
 
 std::vector<std::string> illuminant_names()

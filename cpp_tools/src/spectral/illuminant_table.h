@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "nacre/spectral/illuminant.h"
 #include "nacre/spectral/spectrum_files.h"
 
 namespace nacre::spectral {
@@ -16,5 +17,10 @@ namespace nacre::spectral {
 
 /// The samples as they were published. @pre is_illuminant_key(key)
 [[nodiscard]] NamedSpectrum illuminant_entry(std::string_view key);
+
+/// The spectra behind blackbody(), daylight() and line_spectrum().
+[[nodiscard]] Spectrum blackbody_samples(double kelvin);
+[[nodiscard]] Spectrum daylight_samples(double kelvin);
+[[nodiscard]] Spectrum line_samples(const std::vector<SpectralLine>& lines);
 
 }  // namespace nacre::spectral

@@ -99,16 +99,6 @@ TextureSamples texture_samples(const NamedSpectrum& spectrum)
     return samples;
 }
 
-TextureSamples texture_samples(const Illuminant& illuminant)
-{
-    TextureSamples samples;
-    for (std::size_t i = 0; i < kTextureSamples; ++i) {
-        const int nm = std::clamp(kTextureFirstNm + static_cast<int>(i), kFirstNm, kLastNm);
-        samples[i] = illuminant.power[static_cast<std::size_t>(nm - kFirstNm)];
-    }
-    return samples;
-}
-
 std::size_t texels_per_spectrum(SpectrumLayout layout) noexcept
 {
     return layout == SpectrumLayout::packed ? kTextureSamples / kPacked : kTextureSamples;

@@ -34,6 +34,27 @@ TEST(NamedIlluminant, IsLinearBetweenSamplesAndHeldAboveThem)
     EXPECT_EQ(power[at_nm(830)], 63.3828);
 }
 
+TEST(LightSpectrum, GoesOnBeyondTheGrid)
+{
+    const auto at = [](const char* name, double nm) {
+        const double wavelengths[] = {nm};
+        return light_spectrum(name).values_at(wavelengths)[0];
+    };
+    // CIE 015:2018: D65 and the components of daylight; Planck's law, not the value at 360 nm.
+    EXPECT_EQ(at("D65", 325.0), 28.6447);
+    const double d65 = at("daylight:6504", 325.0) / at("daylight:6504", 560.0);
+    EXPECT_NEAR(d65, 0.286447, 4e-4);
+    const double planck = std::pow(560.0 / 325.0, 5.0) * std::expm1(1.4388e7 / (560.0 * 3000.0)) /
+                          std::expm1(1.4388e7 / (325.0 * 3000.0));
+    EXPECT_NEAR(at("blackbody:3000", 325.0), 100.0 * planck, 1e-11);
+    EXPECT_EQ(at("line:360", 360.0), 1.0);
+    EXPECT_EQ(at("line:360", 359.0), 0.0);
+    EXPECT_EQ(at("line:830", 835.0), 0.0);
+    for (const char* name :
+         {"D65", "F3", "lamp/hps", "blackbody:3000", "daylight:5600", "line:550"})
+        EXPECT_EQ(light_spectrum(name).on_grid(), named_illuminant(name).power) << name;
+}
+
 // CIE 015:2018, table 3 gives these chromaticities to four decimals.
 TEST(NamedIlluminant, HasThePublishedChromaticities)
 {

@@ -97,11 +97,11 @@ TEST(SpectrumTexture, SamplesOfTheLibraryAndOfLights)
     for (std::size_t i = 0; i < kWavelengths; ++i) EXPECT_EQ(samples[i + 36], grid[i]);
     EXPECT_EQ(samples[0], patch.samples.values().front());
 
-    const Illuminant d65 = named_illuminant("D65");
-    const TextureSamples light = texture_samples(d65);
+    const TextureSamples light = texture_samples(light_spectrum("D65"));
     EXPECT_EQ(light[236], 100.0);
-    EXPECT_EQ(light[0], d65.power.front());
-    EXPECT_EQ(light[511], d65.power.back());
+    // ISO/CIE 11664-2:2022: 20.2360 at 320, 28.6447 at 325, 46.6383 at 360 nm.
+    EXPECT_NEAR(light[0], 20.236 + 0.8 * (28.6447 - 20.236), 1e-12);
+    EXPECT_EQ(light[511], named_illuminant("D65").power.back());
 }
 
 TEST(SpectrumTexture, MaterialsNormalisedAndNot)

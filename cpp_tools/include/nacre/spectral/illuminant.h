@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "nacre/spectral/spectrum_files.h"
 #include "nacre/spectral/wavelengths.h"
 
 namespace nacre::spectral {
@@ -21,6 +22,10 @@ struct Illuminant {
 /// `blackbody:3200`, `daylight:5600`, `line:589.3`, `line:435.8@1,546.1@0.8`.
 /// @throws InputError for anything else; the message lists names and forms.
 [[nodiscard]] Illuminant named_illuminant(std::string_view text);
+/// The same light with the samples that make it up, which go beyond the grid: tables as they were
+/// published, black bodies from 300 to 900 nm. Its name and key are `text`.
+/// @throws InputError as named_illuminant()
+[[nodiscard]] NamedSpectrum light_spectrum(std::string_view text);
 inline constexpr std::string_view kIlluminantForms =
     "a light of the library (lamp/hps), blackbody:<K>, daylight:<K>, "
     "line:<nm>[@<power>][,<nm>[@<power>]…]";

@@ -32,8 +32,6 @@ using TextureSamples = std::array<double, kTextureSamples>;
 /// As NamedSpectrum::values_at() has it.
 /// @throws InputError when the spectrum does not overlap 324 … 835 nm
 [[nodiscard]] TextureSamples texture_samples(const NamedSpectrum& spectrum);
-/// Outside 360 … 830 nm the power at the end.
-[[nodiscard]] TextureSamples texture_samples(const Illuminant& illuminant);
 
 // ---- Many spectra, nothing else --------------------------------------------------------------
 
