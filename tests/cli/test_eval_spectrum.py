@@ -125,6 +125,32 @@ def test_reflectance_agrees_with_colour_science(nacre, record):
     assert answer["Lab"] == pytest.approx(lab.tolist(), abs=1e-6)
 
 
+# colour-science has Ohno's method on its own locus, for the 1931 observer as well.
+@pytest.mark.parametrize(
+    "record", [{"blackbody_K": 3000}, {"daylight_K": 6504}, {"illuminant": "F7"}], ids=str
+)
+def test_colour_temperature_is_that_of_the_1931_observer(nacre, record):
+    answers = [nacre.evaluate("spectrum", {**record, "observer": name}) for name in OBSERVERS]
+    assert answers[0]["xy"] != answers[1]["xy"]
+    assert answers[0]["cct_K"] == answers[1]["cct_K"]
+    assert answers[0]["duv"] == answers[1]["duv"]
+    patch = {"spectrum": "colorchecker/white-9-5", "illuminant": "A"}
+    patches = [nacre.evaluate("spectrum", {**patch, "observer": name}) for name in OBSERVERS]
+    assert patches[0]["cct_K"] == patches[1]["cct_K"]
+
+
+def test_daylight_is_white_to_both_observers(nacre):
+    light = light_on_grid("D65")
+    white = reference_xyz(light, "cie1964", np.ones(471))
+    record = {"wavelength_nm": GRID.tolist(), "values": light.tolist(), "kind": "emission"}
+    answer = nacre.evaluate("spectrum", {**record, "observer": "cie1964"})
+    luminance = answer["XYZ"][1]
+    assert answer["rgb"] == pytest.approx([luminance] * 3, rel=1e-12)
+    lab = colour.XYZ_to_Lab(np.array(answer["XYZ"]), colour.XYZ_to_xy(white))
+    assert answer["Lab"] == pytest.approx(lab.tolist(), abs=1e-6)
+    assert answer["Lab"][1:] == pytest.approx([0, 0], abs=1e-9)
+
+
 @pytest.mark.parametrize("illuminant", ["E", "A", "D65", "D50"])
 @pytest.mark.parametrize("observer", list(OBSERVERS))
 @pytest.mark.parametrize("space", ["lin_rec709_scene", "lin_rec2020_scene", "lin_ap1_scene"])

@@ -66,7 +66,10 @@ def test_emission_agrees_with_colour_science(name, observer):
     expected = sums(wavelengths, values, observer, np.ones(471))
     ours = nacre.spectrum_to_colour(wavelengths, values, "emission", observer=observer)
     np.testing.assert_allclose(ours.XYZ, expected, rtol=0, atol=1e-9)
-    lab = colour.XYZ_to_Lab(expected, [0.3127, 0.3290])
+    white = [0.3127, 0.3290]
+    if observer == "cie1964":
+        white = colour.XYZ_to_xy(sums(GRID, np.ones(471), observer, illuminant("D65")))
+    lab = colour.XYZ_to_Lab(expected, white)
     np.testing.assert_allclose(ours.Lab, lab, rtol=0, atol=1e-7)
 
 
@@ -110,6 +113,18 @@ def test_a_perfect_white_is_one(light, space):
     white = nacre.spectrum_to_colour([360, 830], [1, 1], illuminant=light, space=space)
     np.testing.assert_allclose(white.rgb, 1, rtol=0, atol=1e-12)
     assert white.XYZ[1] == pytest.approx(1, abs=1e-14)
+
+
+def test_an_emission_is_relative_to_what_the_observer_sees_of_d65():
+    warm = bell(600, 80)
+    xyz = sums(GRID, warm, "cie1964", np.ones(471))
+    white = sums(GRID, np.ones(471), "cie1964", illuminant("D65"))
+    answer = nacre.spectrum_to_colour(GRID, warm, "emission", observer="cie1964", space="xyz_d65")
+    d65 = colour.xy_to_XYZ((0.3127, 0.3290))
+    adapted = colour.adaptation.chromatic_adaptation_VonKries(xyz, white, d65, "Bradford")
+    np.testing.assert_allclose(answer.rgb, adapted, rtol=0, atol=1e-9)
+    lab = colour.XYZ_to_Lab(xyz, colour.XYZ_to_xy(white))
+    np.testing.assert_allclose(answer.Lab, lab, rtol=0, atol=1e-6)
 
 
 def test_samples_outside_hold_the_nearest():

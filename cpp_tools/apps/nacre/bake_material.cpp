@@ -193,8 +193,9 @@ std::vector<NamedSpectrum> read_lights(const std::vector<std::string>& inputs)
 LightSpectra light_spectra(const NamedSpectrum& spectrum, const TableProvenance& provenance)
 {
     LightSpectra light{.power = texture_samples(spectrum), .colour = {}};
+    const Vec3 xyz = spectral::emission_to_xyz(on_grid(light.power), provenance.observer);
     light.colour = multiply(provenance.space.from_xyz_d65,
-                            spectral::emission_to_xyz(on_grid(light.power), provenance.observer));
+                            multiply(spectral::emission_to_d65(provenance.observer), xyz));
     return light;
 }
 

@@ -38,28 +38,32 @@ std::optional<Illuminant> read_illuminant(ObjectReader& reader)
 
 namespace {
 
-/// What all kinds of records come down to: XYZ, the same adapted to D65 for Lab and rgb.
+/// What all kinds of records come down to: XYZ, the same relative to D65 for rgb, and to the 2
+/// degree observer, whose locus of Planck the colour temperature belongs to.
 struct Colour {
-    Vec3 xyz, xyz_d65, lab_white;
+    Vec3 xyz, xyz_d65, lab_white, xyz_1931;
     ordered_json spectrum = ordered_json::object();  ///< members that only some records answer with
 };
 
-Vec3 d65()
+/// @param xyz_of  the XYZ to an observer
+template <class XyzOf>
+Colour emission_colour(ObserverId observer, const XyzOf& xyz_of)
 {
-    return spectral::d65_white();
-}
-
-Colour emission_colour(const Vec3& xyz)
-{
-    return {.xyz = xyz, .xyz_d65 = xyz, .lab_white = d65()};
+    const Vec3 xyz = xyz_of(observer);
+    return {.xyz = xyz,
+            .xyz_d65 = multiply(spectral::emission_to_d65(observer), xyz),
+            .lab_white = spectral::emission_white(observer),
+            .xyz_1931 = observer == ObserverId::cie1931 ? xyz : xyz_of(ObserverId::cie1931)};
 }
 
 Colour source_colour(const Illuminant& source, ObserverId observer)
 {
-    Vec3 xyz = spectral::emission_to_xyz(source.power, observer);
-    const double y = xyz[1];
-    for (double& value : xyz) value /= y;
-    return emission_colour(xyz);
+    return emission_colour(observer, [&](ObserverId who) {
+        Vec3 xyz = spectral::emission_to_xyz(source.power, who);
+        const double y = xyz[1];
+        for (double& value : xyz) value /= y;
+        return xyz;
+    });
 }
 
 double read_linearly(const spectral::Sampled& values, double wavelength_nm)
@@ -92,8 +96,13 @@ Colour reflectance_colour(const spectral::Sampled& reflectance, const Illuminant
     const Vec3 white = spectral::reflectance_to_xyz(perfect, illuminant, observer);
     const Vec3 xyz = sampled_xyz(reflectance, illuminant, observer, choices.sampling);
     return {.xyz = xyz,
-            .xyz_d65 = multiply(spectral::adaptation(choices.adaptation, white, d65()), xyz),
-            .lab_white = white};
+            .xyz_d65 = multiply(
+                spectral::adaptation(choices.adaptation, white, spectral::d65_white()), xyz),
+            .lab_white = white,
+            .xyz_1931 =
+                observer == ObserverId::cie1931
+                    ? xyz
+                    : sampled_xyz(reflectance, illuminant, ObserverId::cie1931, choices.sampling)};
 }
 
 /// Records that name a light: `illuminant`, `blackbody_K` or `daylight_K` alone.
@@ -190,8 +199,10 @@ Colour read_sampled(ObjectReader& reader, DiagnosticList& problems, const Colour
     reader.refuse_unknown_keys();
     problems.throw_if_any();
     if (given->is_emission)
-        return emission_colour(sampled_xyz(given->values, spectral::named_illuminant("E"), observer,
-                                           choices.sampling));
+        return emission_colour(observer, [&](ObserverId who) {
+            return sampled_xyz(given->values, spectral::named_illuminant("E"), who,
+                               choices.sampling);
+        });
     return reflectance_colour(given->values, *illuminant, observer, choices);
 }
 
@@ -250,8 +261,10 @@ Colour read_upsampled(ObjectReader& reader, DiagnosticList& problems, const Colo
     const spectral::RisenSpectrum risen = spectral::rgb_to_spectrum(
         *rgb, linear_space(target), spectral::upsampling_from_name(*method),
         emission ? spectral::SpectrumKind::emission : spectral::SpectrumKind::reflectance);
-    Colour colour = emission ? emission_colour(spectral::emission_to_xyz(risen.values, observer))
-                             : reflectance_colour(risen.values, *illuminant, observer, choices);
+    Colour colour =
+        emission ? emission_colour(
+                       observer, [&](ObserverId who) { return emission_to_xyz(risen.values, who); })
+                 : reflectance_colour(risen.values, *illuminant, observer, choices);
     colour.spectrum = spectrum_json(risen, wanted);
     return colour;
 }
@@ -287,7 +300,7 @@ ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
     ordered_json xy = nullptr, cct = nullptr, duv = nullptr;
     if (xyz[0] + xyz[1] + xyz[2] > 0.0) xy = spectral::xyz_to_xy(xyz);
     if (!xy.is_null()) {
-        if (const auto temperature = spectral::colour_temperature(xyz)) {
+        if (const auto temperature = spectral::colour_temperature(colour.xyz_1931)) {
             cct = temperature->cct_kelvin;
             duv = temperature->duv;
         }

@@ -33,7 +33,12 @@ ColourMaker::ColourMaker(const nacre_colour_options& options)
         fail("gamut", "must be keep in a space that is not RGB");
     const auto how = options.adaptation ? spectral::adaptation_from_name(options.adaptation)
                                         : spectral::Adaptation::bradford;
-    if (reflectance_) set_light(spectral::named_illuminant(options.illuminant), how);
+    if (reflectance_) {
+        set_light(spectral::named_illuminant(options.illuminant), how);
+    } else {
+        white_ = spectral::emission_white(observer_);
+        to_d65_ = spectral::emission_to_d65(observer_);
+    }
 }
 
 nacre_colour ColourMaker::operator()(const spectral::Sampled& values) const
@@ -45,9 +50,8 @@ nacre_colour ColourMaker::operator()(const spectral::Sampled& values) const
 nacre_colour ColourMaker::from_xyz(const Vec3& xyz) const
 {
     const Vec3 lab = spectral::xyz_to_lab(xyz, white_);
-    const Vec3 rgb =
-        map_to_gamut(multiply(space_->from_xyz_d65, reflectance_ ? multiply(to_d65_, xyz) : xyz),
-                     gamut_, space_->to_xyz_d65[1]);
+    const Vec3 rgb = map_to_gamut(multiply(space_->from_xyz_d65, multiply(to_d65_, xyz)), gamut_,
+                                  space_->to_xyz_d65[1]);
     nacre_colour colour{};
     std::copy(xyz.begin(), xyz.end(), colour.XYZ);
     std::copy(lab.begin(), lab.end(), colour.Lab);

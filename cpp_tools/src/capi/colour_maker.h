@@ -30,7 +30,7 @@ private:
     const spectral::ColourSpace* space_ = nullptr;
     spectral::GamutMapping gamut_{};
     spectral::Illuminant light_{};
-    spectral::Vec3 white_ = spectral::d65_white();
+    spectral::Vec3 white_{};
     spectral::Mat3 to_d65_{};
 };
 

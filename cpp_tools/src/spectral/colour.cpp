@@ -73,6 +73,20 @@ Vec3 ColourWeights::apply(const Sampled& reflectance) const noexcept
     return colour;
 }
 
+Vec3 emission_white(ObserverId observer_id)
+{
+    if (observer_id == ObserverId::cie1931) return d65_white();
+    const Vec3 white = emission_to_xyz(named_illuminant("D65").power, observer_id);
+    return scaled(white, 1.0 / white[1]);
+}
+
+Mat3 emission_to_d65(ObserverId observer_id)
+{
+    return observer_id == ObserverId::cie1931
+               ? adaptation(Adaptation::none, {}, {})
+               : adaptation(Adaptation::bradford, emission_white(observer_id), d65_white());
+}
+
 ColourWeights reflectance_weights(const Illuminant& illuminant, ObserverId observer_id,
                                   const ColourSpace& space, Adaptation how)
 {

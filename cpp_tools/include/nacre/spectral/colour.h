@@ -37,6 +37,7 @@ using Mat3 = std::array<Vec3, 3>;  ///< rows
 /// Correlated colour temperature and distance from the Planckian locus, positive above it: the
 /// nearest point of the locus in CIE 1960 uv, 2 degree observer, found by search (Ohno 2013
 /// approximates the same definition).
+/// Its XYZ are those of the 2 degree observer.
 struct ColourTemperature {
     double cct_kelvin, duv;
 };
@@ -72,6 +73,14 @@ struct ColourSpace {
 
 /// CIE xy of D65 as the RGB spaces define their white: (0.3127, 0.3290).
 [[nodiscard]] Vec3 d65_white() noexcept;
+
+/// The XYZ that L*a*b* of an emission is relative to: D65 of Y = 1 as the observer sees it; to the 2
+/// degree observer d65_white().
+[[nodiscard]] Vec3 emission_white(ObserverId observer);
+/// Takes the XYZ of an emission to XYZ relative to D65. An emission is not adapted, but the spaces
+/// are defined by the 2 degree observer: to another one D65 light has to be their white as well,
+/// by Bradford.
+[[nodiscard]] Mat3 emission_to_d65(ObserverId observer);
 
 /// Turns a reflectance spectrum into a colour by one weighted sum: rgb[c] = Σ weight[c][i] R[i].
 /// Holds observer, illuminant, adaptation to D65 and the space's matrix; Σ weight[c] = 1 in an RGB
