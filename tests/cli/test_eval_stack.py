@@ -293,9 +293,7 @@ def test_missing_key(nacre, key):
 BAD_TEXT = {
     "truncated": ('[{"n": [[1,0],\n [1.5', ":2:"),
     "empty": ("", ":1:"),
-    "doubled-key": ('{"pol": "s", "pol": "p"}', "pol: must be there once only"),
     "not-an-object": ("3", "must be one record"),
-    "overflow": ('{"angle_deg": 1e999}', "not valid JSON"),
     "deep": ("[" * 1000, "nested deeper than 64 levels"),
     "trailing": ("{} {}", "not valid JSON"),
 }
@@ -308,6 +306,26 @@ def test_bad_text_is_one_error_and_no_answer(nacre, name):
     assert result.returncode == 1
     assert result.stdout == ""
     assert message in result.stderr
+
+
+# What a parser of JSON passes over, or ends at, is an error of its own record.
+BAD_RECORDS = {
+    '{"pol": "s", "pol": "p"}': "pol: must be there once only",
+    '{"angle_deg": 1e999}': "angle_deg: must be in [0, 90) (got 1e999)",
+    '{"d_nm": [1, -1e+9999]}': "d_nm[1]: must be ≥ 0 (got -1e+9999)",
+    '{"wavelength_nm": ' + "9" * 400 + "}": "must be > 0 (got " + "9" * 40 + "...)",
+    "1e999": "must be an object (got 1e999)",
+}
+
+
+@pytest.mark.parametrize("record", BAD_RECORDS, ids=lambda record: record[:20])
+def test_a_bad_record_ends_no_batch(nacre, record):
+    result = nacre("eval", "stack", stdin=f"[{json.dumps(GLASS)}, {record}, {json.dumps(GLASS)}]")
+    assert result.returncode == 1
+    good, bad, after = json.loads(result.stdout)
+    assert good == after
+    assert set(good) > {"R", "T"}
+    assert BAD_RECORDS[record] in bad["error"]
 
 
 def test_errors_name_the_line_of_their_record(nacre, tmp_path):

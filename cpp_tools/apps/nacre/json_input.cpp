@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <iostream>
 #include <iterator>
 #include <limits>
@@ -24,8 +25,11 @@ constexpr std::string_view kNotFinite[][2] = {{"NaN", R"("\u0000NaN")"},
                                               {"-Infinity", R"("\u0000-Infinity")"},
                                               {"Infinity", R"("\u0000Infinity")"}};
 
-/// Walks over the text once, outside strings: rewrites the words above and notes the lines on
-/// which the elements of a top-level array start.
+/// A member that an object with a key twice gets: the key.
+constexpr const char* kTwice = "\x01twice";
+
+/// Walks over the text once, outside strings: rewrites the words above and numbers beyond a double,
+/// and notes the lines on which the elements of a top-level array start.
 class Scanner {
 public:
     Scanner(std::string_view text, const std::string& file) : text_(text), file_(file) {}
@@ -51,7 +55,7 @@ private:
                 copy();
             else if (c == '"')
                 in_string_ = false;
-        } else if (!rewrite_word()) {
+        } else if (!rewrite_word() && !rewrite_huge_number(c)) {
             track(c);
         } else {
             return;
@@ -89,6 +93,26 @@ private:
         return false;
     }
 
+    /// The parser would end the whole batch at 1e999.
+    bool rewrite_huge_number(char first)
+    {
+        if (first != '-' && (first < '0' || first > '9')) return false;
+        const std::size_t end =
+            std::min(text_.find_first_not_of("0123456789+-.eE", at_), text_.size());
+        const std::string token(text_.substr(at_, end - at_));
+        if (depth_ == 1 && expects_element_) track('0');
+        at_ = end;
+        char* read_to = nullptr;
+        if (std::isinf(std::strtod(token.c_str(), &read_to)) && *read_to == '\0') {
+            constexpr std::size_t kShown = 40;
+            prepared += fmt::format(R"("\u0000{}{}")", token.substr(0, kShown),
+                                    token.size() > kShown ? "..." : "");
+        } else {
+            prepared += token;
+        }
+        return true;
+    }
+
     void copy() { prepared += text_[at_++]; }
 
     std::string_view text_;
@@ -114,26 +138,29 @@ private:
     throw InputError({file, line, "", "not valid JSON: " + message});
 }
 
-/// Refuses a key that comes twice in one object: the parser would silently keep the last.
+/// Marks an object in which a key comes twice: the parser would silently keep the last.
 class DoubledKeys {
 public:
-    explicit DoubledKeys(const std::string& file) : file_(file) {}
-
-    bool operator()(json::parse_event_t event, const json& parsed)
+    bool operator()(json::parse_event_t event, json& parsed)
     {
-        if (event == json::parse_event_t::object_start) keys_.emplace_back();
-        if (event == json::parse_event_t::object_end) keys_.pop_back();
+        if (event == json::parse_event_t::object_start) objects_.emplace_back();
         if (event == json::parse_event_t::key) {
             const auto& key = parsed.get_ref<const std::string&>();
-            if (!keys_.back().insert(key).second)
-                throw InputError({file_, 0, key, "must be there once only"});
+            if (!objects_.back().keys.insert(key).second) objects_.back().twice = key;
+        }
+        if (event == json::parse_event_t::object_end) {
+            if (objects_.back().twice) parsed[kTwice] = *objects_.back().twice;
+            objects_.pop_back();
         }
         return true;
     }
 
 private:
-    const std::string& file_;
-    std::vector<std::set<std::string>> keys_;
+    struct Keys {
+        std::set<std::string> keys;
+        std::optional<std::string> twice;
+    };
+    std::vector<Keys> objects_;
 };
 
 const char* not_finite_word(const json& value)
@@ -165,7 +192,7 @@ JsonDocument parse_json(std::string_view text, const std::string& file)
 {
     Scanner scanner(text, file);
     scanner.run();
-    DoubledKeys doubled(file);
+    DoubledKeys doubled;
     try {
         json value =
             json::parse(scanner.prepared, [&doubled](int, json::parse_event_t event, json& parsed) {
@@ -216,6 +243,8 @@ ObjectReader::ObjectReader(const json& object, std::string path, DiagnosticList&
 {
     if (!object_.is_object())
         problems_.add({"", 0, path_, fmt::format("must be an object (got {})", quoted(object_))});
+    else if (const auto twice = object_.find(kTwice); twice != object_.end())
+        problem(twice->get_ref<const std::string&>(), "must be there once only");
 }
 
 bool ObjectReader::has(const char* key) const
@@ -283,6 +312,7 @@ void ObjectReader::refuse_unknown_keys()
     if (!object_.is_object()) return;
     for (const auto& member : object_.items()) {
         if (std::find(known_.begin(), known_.end(), member.key()) != known_.end()) continue;
+        if (member.key() == kTwice) continue;
         problem(member.key(),
                 fmt::format("is not known here; the keys are {}", fmt::join(known_, ", ")));
     }

@@ -21,8 +21,10 @@ namespace nacre::tool {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-/// A parsed text. `NaN` and `Infinity`, which JSON lacks but Python's json module writes, are kept
-/// as strings that start with a null character, so that the reader of the field can name them.
+/// A parsed text. `NaN` and `Infinity`, which JSON lacks but Python's json module writes, and 1e999
+/// are kept as strings that start with a null character, so that the reader of the field can name
+/// them; objects with a key twice are marked for ObjectReader. Either is an error of its record
+/// alone.
 struct JsonDocument {
     json value;
     std::vector<int> record_lines;  ///< where each element of a top-level array starts, 1-based
