@@ -11,6 +11,8 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
 #include "nacre/core/limits.h"
+#include "nacre/spectral/optical_constants.h"
+#include "nacre/spectral/spectrum_files.h"
 #include "shipped.h"
 
 namespace nacre::spectral {
@@ -40,6 +42,21 @@ bool is_name(std::string_view name) noexcept
            name.find_first_not_of(kLetters) == std::string_view::npos;
 }
 
+/// What a reader of the library would say of the entry; nothing where it can be read.
+std::optional<std::string> content_problem(const UserEntry& entry)
+{
+    try {
+        if (entry.kind == EntryKind::medium) {
+            (void)parse_refractiveindex_yaml(entry.text, {});
+            return std::nullopt;
+        }
+        const NamedSpectrum spectrum = read_library_spectrum(entry.text, {});
+        return kind_problem(spectrum.samples, *spectrum.kind);
+    } catch (const InputError& error) {
+        return error.diagnostics().front().text();
+    }
+}
+
 void check_entries(const std::vector<UserEntry>& entries, bool replace)
 {
     DiagnosticList problems;
@@ -62,6 +79,8 @@ void check_entries(const std::vector<UserEntry>& entries, bool replace)
         else if (const auto file = user_library_file(kind, key); file && !replace)
             add(fmt::format("is there already, see {}; to take the new one, replace it",
                             file->string()));
+        else if (const auto problem = content_problem(entry))
+            add("cannot be used: " + *problem);
     }
     problems.throw_if_any();
 }

@@ -116,13 +116,34 @@ TEST(UserLibrary, WritesEverythingOrNothing)
 
     // The second cannot be written: a folder has its name. The first is taken back.
     fs::create_directories(own.folder() / "spectra/taken.csv");
-    EXPECT_INPUT_ERROR((void)save_user_entries({{EntryKind::spectrum, "old", "other"},
-                                                {EntryKind::spectrum, "new", kLight},
-                                                {EntryKind::spectrum, "taken", kLight}},
-                                               true),
-                       "folder");
+    EXPECT_INPUT_ERROR(
+        (void)save_user_entries({{EntryKind::spectrum, "old", "# KIND: emission\n400,3\n700,4\n"},
+                                 {EntryKind::spectrum, "new", kLight},
+                                 {EntryKind::spectrum, "taken", kLight}},
+                                true),
+        "folder");
     EXPECT_EQ(user_library_keys(EntryKind::spectrum), Keys{"old"});
     EXPECT_EQ(read_text(own.folder() / "spectra/old.csv"), kLight);
+}
+
+TEST(UserLibrary, TakesNothingThatItCouldNotRead)
+{
+    const test::OwnLibrary own;
+    struct Case {
+        EntryKind kind;
+        std::string text, message;
+    };
+    for (const auto& [kind, text, message] :
+         {Case{EntryKind::medium, "DATA: []\n", "new: cannot be used: "},
+          Case{EntryKind::medium, kLight, "new: cannot be used: "},
+          Case{EntryKind::spectrum, "400,1\n700,2\n", "KIND"},
+          Case{EntryKind::spectrum, "# KIND: emission\n400,1\n700,-2\n", "emission must be"},
+          Case{EntryKind::spectrum, std::string(kMaxTextBytes + 1, '#'), "not be larger than"}}) {
+        EXPECT_INPUT_ERROR((void)save_user_entries(
+                               {{EntryKind::spectrum, "good", kLight}, {kind, "new", text}}, true),
+                           message);
+        EXPECT_FALSE(fs::exists(own.folder()));
+    }
 }
 
 TEST(UserLibrary, PassesOverWhatIsNoEntry)

@@ -47,7 +47,8 @@ struct UserEntry {
 /// @param replace  whether entries that the user has already are replaced
 /// @return the files
 /// @throws InputError for a text that is no key, a key of the library that comes with Nacre, one
-///         that comes twice or exists already, and for a folder that cannot be written.
+///         that comes twice or exists already, a text that the library could not read, and
+///         for a folder that cannot be written.
 std::vector<std::filesystem::path> save_user_entries(const std::vector<UserEntry>& entries,
                                                      bool replace);
 
