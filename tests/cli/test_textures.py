@@ -130,7 +130,7 @@ def test_bytes_say_how_wrong_they_are(nacre, tmp_path):
     assert result.returncode == 0
     error = attribute(texels(path)[1], "error")
     assert f"values are off by up to {error['max']:.2g}" in result.stderr
-    assert f"{100 * error['relative']:.2g} % of the largest of their spectrum" in result.stderr
+    assert f"{100 * error['relative']:.3g} % of the largest of their spectrum" in result.stderr
     # Divided by the maximum of D65 a patch is next to nothing.
     assert error["relative"] > 0.3
     quiet = nacre("--quiet", "bake", "spectra", "D65", "-o", path)
@@ -192,7 +192,10 @@ def decoded(pixels, row, attributes):
     maximum = json.loads(attributes["nacre:maximum"])[row] if "nacre:maximum" in attributes else 1.0
     n = limits[0] + pixels[row, :512, 1] * (limits[1] - limits[0])
     k = limits[2] + pixels[row, :512, 2] * (limits[3] - limits[2])
-    return pixels[row, :512, 0] * maximum, n, k, pixels[row, 512, :3] * maximum
+    rgb = pixels[row, 512, :3]
+    if "nacre:colour_maximum" in attributes:
+        rgb = rgb * json.loads(attributes["nacre:colour_maximum"])[row]
+    return pixels[row, :512, 0] * maximum, n, k, rgb
 
 
 @pytest.mark.parametrize(("name", "depth"), FILES)
@@ -216,6 +219,10 @@ def test_materials_hold_what_an_interference_shader_needs(nacre, tmp_path, name,
         record = {"wavelength_nm": list(map(float, GRID)), "kind": "reflectance"}
         [answer] = nacre.evaluate("spectrum", [{**record, "values": list(map(float, intensity))}])
         assert np.max(np.abs(rgb - answer["rgb"])) < 6 * unit
+        assert attribute(attributes, "colours")[row] == pytest.approx(rgb, abs=6 * unit)
+    # The limits of n and k are rounded as well, but not in an attribute.
+    roundings = 1 if depth == "byte" else 2
+    assert attribute(attributes, "error")["relative"] <= roundings * PRECISION[depth] * 1.001
     spectra = read_back(nacre, path)[1]
     assert list(spectra)[:3] == ["Au/Johnson reflectance", "Au/Johnson n", "Au/Johnson k"]
     assert np.allclose(spectra["Cu/Johnson k"], decoded(pixels, 1, attributes)[2], rtol=1e-6)
@@ -242,12 +249,83 @@ def test_lights_stand_four_a_row(nacre, tmp_path, name, depth):
     got = pixels[0, 36 : 36 + 471, 0] * maximum[0]
     assert np.max(np.abs(got - d65.values)) <= PRECISION[depth] * d65.values.max() * 1.001 + 1e-4
     # The colour of a light is that of its power: D65 is white, A is not.
-    white = pixels[0, 512, :3] * maximum[0]
+    white = np.array(attribute(attributes, "colours")[0])
     assert np.max(np.abs(white / white[1] - 1)) < max(5e-4, 3 * PRECISION[depth])
+    scales = attribute(attributes, "colour_maximum") if depth == "byte" else [1.0] * 5
+    for light in range(5):
+        rgb = pixels[light // 4, 512 + light % 4, :3] * scales[light]
+        wanted = np.maximum(attribute(attributes, "colours")[light], 0 if depth == "byte" else -9)
+        assert np.max(np.abs(rgb - wanted)) <= PRECISION[depth] * wanted.max() * 1.001
     warm = pixels[0, 513, :3]
     assert warm[0] > warm[1] > warm[2]
     assert not pixels[1, :512, 1:].any()
     assert list(read_back(nacre, path)[1]) == keys
+
+
+def test_bytes_name_the_colours_that_they_cannot_hold(nacre, tmp_path):
+    path = tmp_path / "l.png"
+    result = nacre("bake", "lights", "D65", "line:500", "-o", path)
+    assert result.returncode == 0
+    assert "what is negative in the colour of line:500 is 0" in result.stderr
+    pixels, attributes = texels(path)
+    exact = attribute(attributes, "colours")[1]
+    assert exact[0] < 0 < exact[1]
+    assert pixels[0, 513, :3] == pytest.approx([0, 1, exact[2] / exact[1]], abs=0.5 / 255)
+    assert "negative" not in nacre("bake", "lights", "D65", "-o", path).stderr
+
+
+def test_half_says_where_it_ends(nacre, tmp_path):
+    (tmp_path / "dim.csv").write_text("wavelength_nm,a\n400,1e-9\n700,1e-8\n", encoding="utf-8")
+    half = ("--depth", "half", "-o", "t.exr")
+    result = nacre("bake", "spectra", "dim.csv", *half, cwd=tmp_path)
+    assert result.returncode == 0
+    assert "half is coarse below 6e-5: values are off by up to 1e-08, 100 %" in result.stderr
+    assert attribute(texels(tmp_path / "t.exr")[1], "error")["relative"] == 1
+    assert nacre("bake", "spectra", "D65", *half, cwd=tmp_path).stderr == ""
+
+
+def test_materials_and_lights_as_columns(nacre, tmp_path):
+    path = tmp_path / "m.csv"
+    nacre.ok("bake", "material", *METALS, "-o", path)
+    wavelengths, columns = read_back_csv(path)
+    assert np.array_equal(wavelengths, GRID)
+    nacre.ok("bake", "material", *METALS, "-o", tmp_path / "m.exr")
+    _, spectra = read_back(nacre, tmp_path / "m.exr")
+    assert list(columns) == list(spectra)
+    for name, (_, values) in columns.items():
+        assert np.max(np.abs(values - spectra[name])) <= 2 * PRECISION["float"] * values.max()
+    nacre.ok("bake", "lights", "D65", "lamp/hps", "-o", path)
+    wavelengths, columns = read_back_csv(path)
+    assert list(columns) == ["D65", "lamp/hps"]
+    assert columns["D65"][1][wavelengths == 325] == 28.6447
+
+
+def test_one_pixel_of_a_spectral_image(nacre, tmp_path):
+    wide = tmp_path / "wide.exr"
+    pixels = np.random.default_rng(7).random((101, 100, 3)).astype(np.float32)
+    image = oiio.ImageOutput.create(str(wide))
+    header = oiio.ImageSpec(100, 101, 3, oiio.FLOAT)
+    header.channelnames = [f"T.{nm},000000nm" for nm in (450, 550, 650)]
+    assert image.open(str(wide), header)
+    image.write_image(pixels)
+    image.close()
+    error = nacre.fails("info", wide, "--spectra", "-")
+    assert "has 10100 spectra" in error
+    assert "--pixel X,Y" in error
+    lines = nacre.ok("info", wide, "--spectra", "-", "--pixel=99,100", "--pixel=3,7").splitlines()
+    assert lines[0] == "wavelength_nm,99 100,3 7"
+    values = np.array([line.split(",") for line in lines[1:]], float)
+    assert values[:, 0].tolist() == [450, 550, 650]
+    assert np.array_equal(values[:, 1:].T.astype(np.float32), pixels[[100, 7], [99, 3]])
+    for pixel, message in {
+        "100,0": "within 0 … 99, 0 … 100",
+        "1;2": "12,7",
+        "-1,0": "--pixel",
+    }.items():
+        assert message in nacre.fails("info", wide, "--spectra", "-", f"--pixel={pixel}")
+    nacre.ok("bake", "lights", "D65", "-o", tmp_path / "l.exr")
+    error = nacre.fails("info", tmp_path / "l.exr", "--spectra", "-", "--pixel", "0,0")
+    assert "belongs to a spectral image" in error
 
 
 def test_matching_functions_come_back(nacre, tmp_path):
@@ -273,6 +351,11 @@ def test_matching_functions_come_back(nacre, tmp_path):
         (("spectra", "colorchecker/dark", "-o", "t.exr"), "colorchecker/dark-skin"),
         (("spectra", "none.exr", "-o", "t.exr"), "none.exr"),
         (("spectra", "D65", "--columns", "0", "-o", "t.exr"), "--columns: must be a whole number"),
+        (("spectra", "D65", "--columns=-1", "-o", "t.exr"), "whole number ≥ 1 (got -1)"),
+        (("spectra", "big.csv", "-o", "t.exr"), "holds values of up to 3.4e38"),
+        (("spectra", "1e6.csv", "--depth", "half", "-o", "t.exr"), "half ends at 65504"),
+        (("lights", PATCHES[0], "-o", "t.exr"), "dark-skin: kind: must be an emission"),
+        (("lights", "D65", "--depth", "half", "-o", "t.csv"), "--depth: must not be set"),
         (("spectra", "D65", "--columns", "600", "-o", "t.exr"), "sides in [1, 65536]"),
         (("spectra", "D65", "--layout", "image", "-o", "t.tx"), "must end in .exr for --layout"),
         (("spectra", "D65", PATCHES[0], "--layout", "image", "-o", "t.exr"), "holds one kind"),
@@ -287,6 +370,9 @@ def test_matching_functions_come_back(nacre, tmp_path):
 def test_bad_input_leaves_nothing(nacre, tmp_path, arguments, message):
     (tmp_path / "neg.csv").write_text("wavelength_nm,a\n400,-1\n700,1\n", encoding="utf-8")
     (tmp_path / "far.csv").write_text("wavelength_nm,a\n900,1\n1000,1\n", encoding="utf-8")
+    for name in ("big", "1e6"):
+        values = f"wavelength_nm,a\n400,{name.replace('big', '1e39')}\n700,1\n"
+        (tmp_path / f"{name}.csv").write_text(values, encoding="utf-8")
     before = set(tmp_path.iterdir())
     assert message in nacre.fails("bake", *arguments, cwd=tmp_path)
     assert set(tmp_path.iterdir()) == before

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
 #include "nacre/spectral/spectrum_texture.h"
+#include "output.h"
 #include "session.h"
 #include "spectrum_input.h"
 #include "table_options.h"
@@ -44,6 +46,8 @@ texels of RGBA:
   512      colour of the intensity, linear, 1
   513      n min, n max, k min, k max; a .png has them in the attribute nacre:limits
   514, 515 0
+A .png has intensity and colour divided by nacre:maximum and nacre:colour_maximum. A .csv has columns
+of intensity, n and k for each INPUT.
 Intensity is the reflectance in air at normal incidence, or a spectrum given by --intensity.
 
   nacre bake material Au/Johnson Cu/Johnson -o metals.exr
@@ -54,6 +58,8 @@ INPUT is an illuminant, the key of an emission, or a file of spectra. Four light
 RGBA as nacre bake material has them:
   0 … 511    power at 324 + i nm of the lights in R, G, B and A; 0 where there is none
   512 … 515  colour of each of the four, linear, 1: of its power, on the same scale
+A .png has power and colour divided by nacre:maximum and nacre:colour_maximum. A .csv has a column for
+each light.
 
   nacre bake lights D65 A F11 lamp/hps -o lights.exr)";
 
@@ -88,19 +94,45 @@ NamedSpectrum spectrum_of(const std::string& name, const TextureSamples& samples
     return named_spectrum(name, spectral::kTextureFirstNm, {samples.begin(), samples.end()}, kind);
 }
 
-/// Divides the rows' first channel and colour by what bytes can hold of them.
-std::vector<double> fit_into_bytes(std::vector<MaterialSpectra>& materials)
+/// Divides by the largest, which bytes then hold as 1. @return it, or 1 where none is > 0
+template <class Values>
+double fit_into_bytes(Values& values)
 {
-    std::vector<double> divisors;
-    for (MaterialSpectra& material : materials) {
-        const double divisor = std::max({1.0, *std::ranges::max_element(material.intensity),
-                                         *std::ranges::max_element(material.colour)});
-        for (double& value : material.intensity) value /= divisor;
-        for (double& value : material.colour) value /= divisor;
-        divisors.push_back(divisor);
-    }
-    return divisors;
+    const double largest = *std::ranges::max_element(values);
+    const double divisor = largest > 0.0 ? largest : 1.0;
+    for (double& value : values) value /= divisor;
+    return divisor;
 }
+
+/// Bytes hold a spectrum and its colour each divided by its largest value, and nothing negative.
+class ByteScales {
+public:
+    void fit(const std::string& label, TextureSamples& samples, Vec3& colour)
+    {
+        if (std::ranges::min(colour) < 0.0) negative_.push_back(label);
+        maximum_.push_back(fit_into_bytes(samples));
+        colour_maximum_.push_back(fit_into_bytes(colour));
+    }
+
+    void describe(Attributes& attributes) const
+    {
+        attributes["nacre:maximum"] = nlohmann::json(maximum_).dump();
+        attributes["nacre:colour_maximum"] = nlohmann::json(colour_maximum_).dump();
+    }
+
+    void warn(const Session& session, const std::string& output) const
+    {
+        if (negative_.empty()) return;
+        session.note(
+            fmt::format("{}: bytes have no sign: what is negative in the colour of {} is "
+                        "0; nacre:colours has it",
+                        output, fmt::join(negative_, ", ")));
+    }
+
+private:
+    std::vector<double> maximum_, colour_maximum_;
+    std::vector<std::string> negative_;
+};
 
 /// Takes the limits out of the texture. @return n min, n max, k min, k max of each row
 std::vector<std::vector<float>> take_limits(Texture& texture)
@@ -132,7 +164,8 @@ Materials read_materials(const MaterialOptions& options, const spectral::ColourW
         }
         all.names.push_back(medium.key);
         all.references.push_back(medium.references);
-        all.spectra.push_back(spectrum_of(medium.key, row.intensity, SpectrumKind::reflectance));
+        all.spectra.push_back(
+            spectrum_of(medium.key + " reflectance", row.intensity, SpectrumKind::reflectance));
         all.spectra.push_back(spectrum_of(medium.key + " n", row.n, std::nullopt));
         all.spectra.push_back(spectrum_of(medium.key + " k", row.k, std::nullopt));
         all.rows.push_back(row);
@@ -147,11 +180,25 @@ Attributes colour_attributes(Attributes attributes, const TableProvenance& prove
     return attributes;
 }
 
-int bake_material(const Session& session, const MaterialOptions& options)
+bool is_csv(const std::string& output)
 {
-    const Encoding encoding = encoding_for(options.output, options.depth);
-    const bool bytes = encoding.depth == Depth::byte;
-    if (bytes && options.as_they_are)
+    return std::filesystem::path(output).extension() == ".csv";
+}
+
+/// Columns of the spectra as they are; colours and limits belong to images.
+int write_csv(const MaterialOptions& options, const std::vector<NamedSpectrum>& spectra)
+{
+    if (!options.depth.empty())
+        throw InputError({options.output, 0, "--depth", "must not be set for a .csv: it is text"});
+    write_text_output(options.output, spectra_csv(spectra));
+    return kExitOk;
+}
+
+/// @throws InputError for options that contradict each other
+void check_options(const MaterialOptions& options)
+{
+    const std::string extension = std::filesystem::path(options.output).extension().string();
+    if (extension == ".png" && options.as_they_are)
         throw InputError({options.output, 0, "--as-they-are",
                           "must not be set for a .png: bytes hold nothing above 1"});
     if (!options.intensities.empty() && options.intensities.size() != options.inputs.size())
@@ -160,20 +207,37 @@ int bake_material(const Session& session, const MaterialOptions& options)
                           "--intensity",
                           fmt::format("must be given once for each of the {} INPUTs (got {})",
                                       options.inputs.size(), options.intensities.size())});
+}
+
+int bake_material(const Session& session, const MaterialOptions& options)
+{
+    check_options(options);
     const ResolvedTableOptions light = resolve(options.light);
     const TableProvenance& provenance = light.provenance;
     Materials materials = read_materials(
         options, reflectance_weights(spectral::named_illuminant(provenance.illuminant),
                                      provenance.observer, provenance.space));
+    if (is_csv(options.output)) return write_csv(options, materials.spectra);
+    const Encoding encoding = encoding_for(options.output, options.depth);
+    const bool bytes = encoding.depth == Depth::byte;
     Attributes attributes = colour_attributes(texture_attributes("materials"), provenance);
     attributes["nacre:illuminant"] = provenance.illuminant;
     attributes["nacre:names"] = nlohmann::json(materials.names).dump();
     attributes["nacre:references"] = nlohmann::json(materials.references).dump();
-    if (bytes) attributes["nacre:maximum"] = nlohmann::json(fit_into_bytes(materials.rows)).dump();
+    ByteScales scales;
+    auto colours = nlohmann::json::array();
+    for (std::size_t i = 0; i < materials.rows.size(); ++i) {
+        MaterialSpectra& row = materials.rows[i];
+        colours.push_back(row.colour);
+        if (bytes) scales.fit(materials.names[i], row.intensity, row.colour);
+    }
+    attributes["nacre:colours"] = colours.dump();
+    if (bytes) scales.describe(attributes);
     Texture texture = spectral::pack_materials(materials.rows, !options.as_they_are);
     if (bytes) attributes["nacre:limits"] = nlohmann::json(take_limits(texture)).dump();
     write_texture(session, options.output, image_of(std::move(texture)), std::move(attributes),
                   encoding, materials.spectra);
+    scales.warn(session, options.output);
     return kExitOk;
 }
 
@@ -182,6 +246,10 @@ std::vector<NamedSpectrum> read_lights(const std::vector<std::string>& inputs)
     std::vector<NamedSpectrum> spectra;
     for (const std::string& input : inputs)
         for (NamedSpectrum& spectrum : read_spectra_input(input)) {
+            if (spectrum.kind == SpectrumKind::reflectance)
+                throw InputError({label_of(spectrum), 0, "kind",
+                                  "must be an emission; it is a reflectance, which nacre bake "
+                                  "spectra takes"});
             if (auto problem = kind_problem(spectrum.samples, SpectrumKind::emission))
                 throw InputError({label_of(spectrum), 0, "values", *problem});
             spectrum.kind = SpectrumKind::emission;
@@ -199,36 +267,30 @@ LightSpectra light_spectra(const NamedSpectrum& spectrum, const TableProvenance&
     return light;
 }
 
-/// Divides each light by what bytes can hold of it.
-std::vector<double> fit_into_bytes(std::vector<LightSpectra>& lights)
-{
-    std::vector<double> divisors;
-    for (LightSpectra& light : lights) {
-        const double divisor = std::max(*std::ranges::max_element(light.power),
-                                        *std::ranges::max_element(light.colour));
-        for (double& value : light.power) value /= divisor;
-        for (double& value : light.colour) value /= divisor;
-        divisors.push_back(divisor);
-    }
-    return divisors;
-}
-
 int bake_lights(const Session& session, const MaterialOptions& options)
 {
-    const Encoding encoding = encoding_for(options.output, options.depth);
-    const TableProvenance provenance = resolve(options.light).provenance;
     const std::vector<NamedSpectrum> spectra = read_lights(options.inputs);
+    if (is_csv(options.output)) return write_csv(options, spectra);
+    const Encoding encoding = encoding_for(options.output, options.depth);
+    const bool bytes = encoding.depth == Depth::byte;
+    const TableProvenance provenance = resolve(options.light).provenance;
     std::vector<LightSpectra> lights;
-    lights.reserve(spectra.size());
-    for (const NamedSpectrum& spectrum : spectra)
-        lights.push_back(light_spectra(spectrum, provenance));
+    ByteScales scales;
+    auto colours = nlohmann::json::array();
+    for (const NamedSpectrum& spectrum : spectra) {
+        LightSpectra light = light_spectra(spectrum, provenance);
+        colours.push_back(light.colour);
+        if (bytes) scales.fit(label_of(spectrum), light.power, light.colour);
+        lights.push_back(light);
+    }
     Attributes attributes = colour_attributes(texture_attributes("lights"), provenance);
     describe_spectra(attributes, spectra);
     attributes["nacre:count"] = static_cast<int>(lights.size());
-    if (encoding.depth == Depth::byte)
-        attributes["nacre:maximum"] = nlohmann::json(fit_into_bytes(lights)).dump();
+    attributes["nacre:colours"] = colours.dump();
+    if (bytes) scales.describe(attributes);
     write_texture(session, options.output, image_of(spectral::pack_lights(lights)),
                   std::move(attributes), encoding, spectra);
+    scales.warn(session, options.output);
     return kExitOk;
 }
 
@@ -239,7 +301,8 @@ CLI::App* add_command(CLI::App& bake, const char* name, const char* description,
     command->fallthrough()->footer(help);
     command->add_option("INPUT", options.inputs)->required();
     command
-        ->add_option("-o,--output", options.output, ".exr or .tx (float, half), .ftxt, .png (byte)")
+        ->add_option("-o,--output", options.output,
+                     ".exr or .tx (float, half), .ftxt, .csv, .png (byte)")
         ->required();
     command->add_option("--depth", options.depth, "default: float, in a PNG byte")
         ->check(CLI::IsMember({"float", "half", "byte"}));

@@ -28,7 +28,9 @@ using spectral::TextureSamples;
 struct SpectraOptions {
     std::vector<std::string> inputs;
     std::string output, depth, layout = "packed", maximum = "spectrum", kind;
-    std::size_t columns = 1;
+    int columns = 1;
+
+    [[nodiscard]] std::size_t column_count() const { return static_cast<std::size_t>(columns); }
 };
 
 constexpr const char* kHelp = R"(
@@ -107,7 +109,7 @@ void bake_texture(const Session& session, const SpectraOptions& options,
     Attributes attributes = texture_attributes("spectra");
     describe_spectra(attributes, spectra);
     attributes["nacre:layout"] = options.layout;
-    attributes["nacre:columns"] = static_cast<int>(options.columns);
+    attributes["nacre:columns"] = options.columns;
     attributes["nacre:count"] = static_cast<int>(spectra.size());
     if (encoding.depth == Depth::byte) {
         const auto divisors = maxima(samples, spectra, options.maximum == "global");
@@ -118,7 +120,7 @@ void bake_texture(const Session& session, const SpectraOptions& options,
     const auto layout =
         options.layout == "single" ? SpectrumLayout::single : SpectrumLayout::packed;
     write_texture(session, options.output,
-                  image_of(spectral::pack_spectra(samples, layout, options.columns)),
+                  image_of(spectral::pack_spectra(samples, layout, options.column_count())),
                   std::move(attributes), encoding, spectra);
 }
 
@@ -175,14 +177,17 @@ void bake_image(const Session& session, const SpectraOptions& options,
     attributes["spectralLayoutVersion"] = std::string(spectral::kSpectralLayoutVersion);
     if (kind == SpectrumKind::emission)
         attributes["emissiveUnits"] = std::string(spectral::kSpectralEmissiveUnits);
-    write_texture(session, options.output, spectral_image(samples, kind, options.columns),
+    write_texture(session, options.output, spectral_image(samples, kind, options.column_count()),
                   std::move(attributes), encoding, spectra);
 }
 
 int bake(const Session& session, const SpectraOptions& options)
 {
-    if (options.columns == 0)
-        throw InputError({{}, 0, "--columns", "must be a whole number ≥ 1 (got 0)"});
+    if (options.columns < 1)
+        throw InputError({{},
+                          0,
+                          "--columns",
+                          fmt::format("must be a whole number ≥ 1 (got {})", options.columns)});
     const std::vector<NamedSpectrum> spectra = read_inputs(options);
     if (std::filesystem::path(options.output).extension() == ".csv")
         write_text_output(options.output, spectra_csv(spectra));

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <charconv>
 #include <memory>
 
 #include <fmt/format.h>
@@ -105,12 +106,51 @@ std::string text_of(const ordered_json& description)
     return text;
 }
 
-int write_spectra(const std::vector<std::string>& files, const std::string& output)
+struct InfoOptions {
+    std::vector<std::string> files, pixels;
+    std::string spectra;
+};
+
+/// `X,Y`
+Pixel parse_pixel(const std::string& text)
 {
-    if (files.size() != 1)
+    Pixel pixel{};
+    const char* const end = text.data() + text.size();
+    const auto x = std::from_chars(text.data(), end, pixel.x);
+    if (x.ec == std::errc{} && x.ptr != end && *x.ptr == ',') {
+        const auto y = std::from_chars(x.ptr + 1, end, pixel.y);
+        if (y.ec == std::errc{} && y.ptr == end) return pixel;
+    }
+    throw InputError({{},
+                      0,
+                      "--pixel",
+                      fmt::format("must be column and row from 0 at the top left, as in 12,7 (got "
+                                  "'{}')",
+                                  text)});
+}
+
+int write_spectra(const InfoOptions& options)
+{
+    if (options.files.size() != 1)
         throw InputError(
-            {{}, 0, "--spectra", fmt::format("takes one FILE (got {})", files.size())});
-    write_text_output(output, spectra_csv(read_spectra_file(files.front())));
+            {{}, 0, "--spectra", fmt::format("takes one FILE (got {})", options.files.size())});
+    std::vector<Pixel> pixels;
+    for (const std::string& pixel : options.pixels) pixels.push_back(parse_pixel(pixel));
+    write_text_output(options.spectra,
+                      spectra_csv(read_spectra_file(options.files.front(), pixels)));
+    return kExitOk;
+}
+
+int describe_files(const Session& session, const std::vector<std::string>& files)
+{
+    ordered_json list = ordered_json::array();
+    std::string text;
+    for (const std::string& file : files) {
+        list.push_back(describe(file, read_image(file)));
+        text += text_of(list.back());
+    }
+    const ordered_json& result = list.size() == 1 ? list.front() : list;
+    write_text_output("", session.json ? result.dump(2) + "\n" : text);
     return kExitOk;
 }
 
@@ -118,27 +158,22 @@ int write_spectra(const std::vector<std::string>& files, const std::string& outp
 
 void add_info(CLI::App& app, Session& session)
 {
-    const auto files = std::make_shared<std::vector<std::string>>();
-    const auto spectra = std::make_shared<std::string>();
+    const auto options = std::make_shared<InfoOptions>();
     CLI::App* info = app.add_subcommand("info", "what is in a baked file");
     info->fallthrough()->footer(kHelp);
-    info->add_option("FILE", *files, "images; with --json one object, or an array for several")
+    info->add_option("FILE", options->files,
+                     "images; with --json one object, or an array for several")
         ->required();
-    info->add_option("--spectra", *spectra,
-                     "write the spectra of one texture or spectral EXR there as CSV (- is the "
-                     "standard output), nothing else");
-    info->callback([&session, files, spectra] {
-        session.run = [&session, files, spectra] {
-            if (!spectra->empty()) return write_spectra(*files, *spectra);
-            ordered_json list = ordered_json::array();
-            std::string text;
-            for (const std::string& file : *files) {
-                list.push_back(describe(file, read_image(file)));
-                text += text_of(list.back());
-            }
-            const ordered_json& result = list.size() == 1 ? list.front() : list;
-            write_text_output("", session.json ? result.dump(2) + "\n" : text);
-            return kExitOk;
+    CLI::Option* spectra =
+        info->add_option("--spectra", options->spectra,
+                         "write the spectra of one texture or spectral EXR there as CSV (- is the "
+                         "standard output), nothing else");
+    info->add_option("--pixel", options->pixels, "X,Y: of a spectral EXR only the spectrum there")
+        ->needs(spectra);
+    info->callback([&session, options] {
+        session.run = [&session, options] {
+            return options->spectra.empty() ? describe_files(session, options->files)
+                                            : write_spectra(*options);
         };
     });
 }

@@ -170,6 +170,11 @@ std::vector<UserEntry> read_source(const ImportOptions& options, const Source& s
     const bool yaml = extension == ".yml" || extension == ".yaml";
     if (yaml && !options.kind.empty() && options.kind != "medium")
         throw InputError({file, 0, "--kind", "must be medium for optical constants"});
+    if (options.kind == "medium" && is_texture_file(file))
+        throw InputError(
+            {file, 0, "--kind",
+             "must be emission or reflectance for an image; optical constants are read "
+             "from .yml, .csv or a pair of .spd"});
     if (yaml || options.kind == "medium") return {read_medium(options, file)};
     return read_spectra(options, file);
 }

@@ -203,33 +203,60 @@ NamedSpectrum spectrum_of_pixel(const Image& image, std::size_t pixel, const Cha
     return spectrum;
 }
 
+std::map<SpectrumKind, ChannelMap> spectral_channels(const Image& image, const std::string& file)
+{
+    std::map<SpectrumKind, ChannelMap> kinds;
+    for (std::size_t i = 0; i < image.channel_count(); ++i)
+        if (const auto channel = spectral::parse_spectral_channel(image.channels[i]))
+            kinds[channel->kind].emplace(channel->wavelength_nm, i);
+    for (const auto& [kind, channels] : kinds)
+        if (channels.size() < 2)
+            throw InputError({file, 0, "", "must have channels of two wavelengths or more"});
+    return kinds;
+}
+
+std::vector<NamedSpectrum> of_pixels(const Image& image, const std::vector<Pixel>& pixels,
+                                     const std::string& file)
+{
+    const auto kinds = spectral_channels(image, file);
+    const auto width = static_cast<std::size_t>(image.width);
+    std::vector<NamedSpectrum> spectra;
+    for (const Pixel& pixel : pixels) {
+        if (pixel.x >= width || pixel.y >= static_cast<std::size_t>(image.height))
+            throw InputError({file, 0, "--pixel",
+                              fmt::format("must be within 0 … {}, 0 … {} (got {},{})", width - 1,
+                                          image.height - 1, pixel.x, pixel.y)});
+        for (const auto& [kind, channels] : kinds) {
+            spectra.push_back(spectrum_of_pixel(image, pixel.y * width + pixel.x, channels, kind));
+            spectra.back().name = fmt::format("{} {}", pixel.x, pixel.y);
+        }
+    }
+    if (spectra.empty()) throw InputError({file, 0, "--pixel", "belongs to a spectral image"});
+    return spectra;
+}
+
 /// Nothing where no channel has the name of a wavelength.
 std::vector<NamedSpectrum> of_spectral_channels(const LoadedImage& loaded, const Header& header,
                                                 const std::string& file)
 {
     const Image& image = loaded.image;
-    std::map<SpectrumKind, ChannelMap> kinds;
-    for (std::size_t i = 0; i < image.channel_count(); ++i)
-        if (const auto channel = spectral::parse_spectral_channel(image.channels[i]))
-            kinds[channel->kind].emplace(channel->wavelength_nm, i);
-    const std::size_t pixels =
-        image.pixels.size() / std::max<std::size_t>(image.channel_count(), 1);
+    const auto kinds = spectral_channels(image, file);
     std::vector<NamedSpectrum> spectra;
     if (kinds.empty()) return spectra;
+    const std::size_t pixels = image.pixels.size() / image.channel_count();
     const std::size_t count = header.count("count").value_or(pixels);
     if (count * kinds.size() > kMaxSpectra || count > pixels)
         throw InputError({file, 0, "",
-                          fmt::format("has {} spectra, one a pixel; must be at most {}",
+                          fmt::format("has {} spectra, one a pixel; all of them can be read where "
+                                      "there are at most {}, one by nacre info --spectra OUT "
+                                      "--pixel X,Y",
                                       pixels * kinds.size(), kMaxSpectra)});
     const auto names = header.list<std::string>("names", count);
-    for (const auto& [kind, channels] : kinds) {
-        if (channels.size() < 2)
-            throw InputError({file, 0, "", "must have channels of two wavelengths or more"});
+    for (const auto& [kind, channels] : kinds)
         for (std::size_t i = 0; i < count; ++i) {
             spectra.push_back(spectrum_of_pixel(image, i, channels, kind));
             spectra.back().name = names.empty() ? fmt::format("{}", i + 1) : names[i];
         }
-    }
     return spectra;
 }
 
@@ -251,8 +278,10 @@ std::vector<NamedSpectrum> of_unlabelled(const LoadedImage& loaded, const Header
 
 }  // namespace
 
-std::vector<NamedSpectrum> spectra_of_image(const LoadedImage& loaded, const std::string& file)
+std::vector<NamedSpectrum> spectra_of_image(const LoadedImage& loaded, const std::string& file,
+                                            const std::vector<Pixel>& pixels)
 {
+    if (!pixels.empty()) return of_pixels(loaded.image, pixels, file);
     const Header header(loaded, file);
     const std::string quantity = header.text("quantity");
     try {

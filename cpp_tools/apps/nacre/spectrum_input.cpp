@@ -41,10 +41,12 @@ bool is_texture_file(const std::string& file)
     return std::ranges::find(kExtensions, extension) != kExtensions.end();
 }
 
-std::vector<NamedSpectrum> read_spectra_file(const std::string& file)
+std::vector<NamedSpectrum> read_spectra_file(const std::string& file,
+                                             const std::vector<Pixel>& pixels)
 {
     if (is_texture_file(file))
-        return spectra_of_image(read_image(file, AlphaMeaning::number), file);
+        return spectra_of_image(read_image(file, AlphaMeaning::number), file, pixels);
+    if (!pixels.empty()) throw InputError({file, 0, "--pixel", "belongs to a spectral image"});
     return spectral::read_spectra(read_text(file), file);
 }
 

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "nacre/core/diagnostics.h"
 #include "nacre/core/limits.h"
 #include "nacre/core/version.h"
 #include "nacre/spectral/spectrum_texture.h"
@@ -48,6 +49,21 @@ ReadError read_error(const Image& image, const Attributes& attributes, Depth dep
         if (largest > 0.0) error.relative = std::max(error.relative, off / largest);
     }
     return error;
+}
+
+/// @throws InputError where the depth ends before the values do
+void require_finite(const Image& image, Depth depth, const std::string& output)
+{
+    std::vector<float> stored = image.pixels;
+    round_to(depth, stored);
+    for (std::size_t i = 0; i < stored.size(); ++i) {
+        if (std::isfinite(stored[i])) continue;
+        const bool half = depth == Depth::half && std::isfinite(image.pixels[i]);
+        throw InputError(
+            {output, 0, "--depth",
+             half ? fmt::format("must be float: half ends at 65504 (got {:g})", image.pixels[i])
+                  : "holds values of up to 3.4e38; a .csv holds larger ones"});
+    }
 }
 
 std::string cell_text(std::string text)
@@ -100,6 +116,7 @@ void write_texture(const Session& session, const std::string& output, const Imag
                    Attributes attributes, const Encoding& encoding,
                    const std::vector<NamedSpectrum>& spectra)
 {
+    require_finite(image, encoding.depth, output);
     const ReadError error = read_error(image, attributes, encoding.depth, spectra);
     attributes["nacre:error"] =
         ordered_json{{"max", error.max}, {"relative", error.relative}}.dump();
@@ -109,10 +126,13 @@ void write_texture(const Session& session, const std::string& output, const Imag
             if (const auto* number = std::get_if<int>(&value)) value = std::to_string(*number);
     write_text_output(output, encode_image(image, attributes, encoding));
     const std::string figure =
-        fmt::format("values are off by up to {:.2g}, {:.2g} % of the largest of their spectrum",
+        fmt::format("values are off by up to {:.2g}, {:.3g} % of the largest of their spectrum",
                     error.max, 100.0 * error.relative);
+    constexpr double kHalfUnit = 0x1p-11;
     if (encoding.depth == Depth::byte)
         session.note(fmt::format("{}: 8 bits a number: {}", output, figure));
+    else if (encoding.depth == Depth::half && error.relative > 1.01 * kHalfUnit)
+        session.note(fmt::format("{}: half is coarse below 6e-5: {}", output, figure));
     else
         session.detail(fmt::format("{}: {}", output, figure));
 }

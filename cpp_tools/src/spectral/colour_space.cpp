@@ -85,7 +85,7 @@ Mat3 adaptation(Adaptation how, const Vec3& from_white, const Vec3& to_white)
             {.file = {},
              .field = "illuminant",
              .message = fmt::format("must have a white that can be adapted, cone responses all > 0 "
-                                    "(got {}, {}, {}); adaptation none takes it as it is",
+                                    "(got {}, {}, {}); without adaptation it is taken as it is",
                                     from[0], from[1], from[2])});
     const Vec3 to = multiply(cones, to_white);
     const Mat3 scale = diagonal({to[0] / from[0], to[1] / from[1], to[2] / from[2]});

@@ -40,7 +40,7 @@ void check_samples(const std::vector<double>& wavelengths_nm, const std::vector<
             problems.add({.file = {},
                           .field = fmt::format("values[{}]", i),
                           .message = fmt::format("must be finite (got {})", values[i])});
-    problems.throw_if_any();
+    problems.throw_first_if_any();
 }
 
 /// Value at `x` in [0, 1] between y[2] and y[3]; CIE 167:2005, after Sprague 1880.
