@@ -162,6 +162,7 @@ def test_interfaces_page_has_every_function_of_python():
     expected = (
         functions(nacre)
         | functions(nacre.library, "library.")
+        | functions(nacre.shapes, "shapes.")
         | functions(nacre.textures, "textures.")
     )
     named = names_of_interfaces(3) - {"FilmLut", "CompiledMaterial", "NacreError", "__version__"}

@@ -41,6 +41,16 @@ def test_samples_are_those_of_the_library():
     assert np.max(np.abs(samples - linear)) > 1e-4
 
 
+def test_samples_of_many_spectra_at_once():
+    values = RANDOM.random((2, 3, 31))
+    together = textures.samples(np.arange(400, 701, 10), values)
+    assert together.shape == (2, 3, 512)
+    for index in np.ndindex(2, 3):
+        alone = textures.samples(np.arange(400, 701, 10), values[index])
+        np.testing.assert_array_equal(together[index], alone)
+    assert textures.samples([400, 500], np.empty((0, 2))).shape == (0, 512)
+
+
 @pytest.mark.parametrize("normalise", [True, False])
 def test_materials(normalise):
     n, k, rgb = 1 + 2 * SPECTRA, 5 * SPECTRA[::-1], RANDOM.random((5, 3))
@@ -97,6 +107,22 @@ def test_ftxt_keeps_every_bit(tmp_path):
             lambda: textures.pack_materials(SPECTRA, SPECTRA[:1], SPECTRA, np.ones((5, 3))),
             "n: must",
         ),
+        (lambda: textures.pack_spectra(SPECTRA, columns=2.5), "columns: must be 1 numbers"),
+        (
+            lambda: textures.pack_spectra(np.where(SPECTRA == SPECTRA[3, 7], np.nan, SPECTRA)),
+            r"values\[3, 7\]: must be finite and within ±3.4e38, where float ends \(got nan\)",
+        ),
+        (lambda: textures.pack_lights(1e39 + SPECTRA, np.ones((5, 3))), r"power\[0, 0\]"),
+        (lambda: textures.pack_lights(SPECTRA, np.full((5, 3), -np.inf)), r"colours\[0, 0\]"),
+        (
+            lambda: textures.pack_materials(SPECTRA, SPECTRA, SPECTRA * np.nan, np.ones((5, 3))),
+            "k.0, 0",
+        ),
+        (
+            lambda: textures.samples([400, 500], [[1, 1], [1, np.nan]]),
+            r"values\[1\]: must be finite",
+        ),
+        (lambda: textures.samples([400, 500], np.ones((2, 3))), "values: must have shape"),
         (lambda: textures.samples([900, 1000], [1, 1]), "must overlap 324"),
         (lambda: textures.samples([400, 500], [1]), "values: must have shape"),
         (lambda: textures.samples([400, 500], [1, 1], "colour"), "kind: must be"),

@@ -8,7 +8,7 @@ are listed from the ambient down, angles are measured in the ambient, wavelength
 
 from __future__ import annotations
 
-from . import library, textures
+from . import library, shapes, textures
 from ._colour import (
     Colour,
     ColourTemperature,
@@ -50,6 +50,7 @@ __all__ = [
     "library",
     "map_range",
     "rgb_to_spectrum",
+    "shapes",
     "slit_intensity",
     "spectrum_to_colour",
     "stack",

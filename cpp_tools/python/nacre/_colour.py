@@ -193,6 +193,11 @@ def map_range(rgb: ArrayLike, how: str = "normalise") -> np.ndarray:
     Returns
     -------
     float, shape (..., 3), a new array
+
+    Raises
+    ------
+    NacreError
+        Another shape or `how`, and numbers that are not finite.
     """
     colours = np.array(doubles(rgb, "rgb"))
     if colours.ndim == 0 or colours.shape[-1] != 3:

@@ -41,6 +41,9 @@ def compile_template(
         Text of the template.
     file : str
         What messages call it.
+    illuminant, observer, space : str
+        Of the tables: a light by name (`nacre.illuminant`), "cie1931" or "cie1964", and
+        "lin_rec709_scene", "lin_rec2020_scene", "lin_ap1_scene" or "xyz_d65".
     tolerance : float
         Largest CIEDE2000 difference between table and exact colour.
 

@@ -105,6 +105,10 @@ def film_lut(
         Layer whose thickness is the second axis; "scale": a factor on all coherent layers.
     range_ : (min, max)
         Of the second axis: nm, or a factor.
+    coherent : bool, length layers, optional
+        Whether light interferes within each layer; by default in all.
+    transmittance : bool
+        Whether there is a second table, of what is let through.
     tolerance : float
         Largest CIEDE2000 difference allowed between the table, read bilinearly, and the exact
         colour, for angles up to 87 degrees; decides the size. None, together with a size: errors
@@ -114,6 +118,9 @@ def film_lut(
     precision : "double" or "single"
         Single: for previews, with a size and without a tolerance; colours good to 1e-5. Stacks with
         incoherent layers are baked in double all the same.
+    illuminant, observer, space : str
+        A light by name (`nacre.illuminant`), "cie1931" or "cie1964", and "lin_rec709_scene",
+        "lin_rec2020_scene", "lin_ap1_scene" or "xyz_d65".
 
     Returns
     -------

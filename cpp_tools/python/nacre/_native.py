@@ -5,9 +5,11 @@
 from __future__ import annotations
 
 import ctypes
+import operator
 import os
 from ctypes import POINTER, Structure, c_char_p, c_double, c_float, c_int, c_size_t, c_void_p
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -111,6 +113,18 @@ class Spectrum(Structure):
     ]
 
 
+class Shape(Structure):
+    _fields_ = [
+        ("kind", c_int),
+        ("numbers", c_double * 4),
+        ("count", c_size_t),
+        ("wavelength_nm", c_void_p),
+        ("values", c_void_p),
+        ("key", c_char_p),
+        ("of_kind", c_char_p),
+    ]
+
+
 class LibraryWords(Structure):
     _fields_ = [("formula", c_char_p), ("tags", c_char_p)]
 
@@ -197,6 +211,10 @@ _SIGNATURES = {
         [c_size_t, POINTER(Spectrum), POINTER(c_char_p), c_int],
     ),
     "nacre_library_add_medium": (c_int, [c_char_p, c_char_p, c_size_t, c_char_p, c_char_p, c_int]),
+    "nacre_sum_of_shapes": (
+        c_int,
+        [c_size_t, POINTER(Shape), c_char_p, c_size_t, c_void_p, c_void_p],
+    ),
     "nacre_texture_samples": (c_int, [c_size_t, c_void_p, c_void_p, c_int, c_void_p]),
     "nacre_pack_spectra": (c_int, [c_size_t, c_void_p, c_char_p, c_size_t, c_void_p]),
     "nacre_unpack_spectra": (
@@ -241,7 +259,8 @@ lib = _load()
 
 
 def version() -> str:
-    return lib.nacre_version().decode()
+    """Of the library that was loaded, e.g. `0.1.0`."""
+    return str(lib.nacre_version().decode())
 
 
 def check(status: int) -> None:
@@ -284,10 +303,11 @@ def complexes(values: object, name: str) -> np.ndarray:
         raise NacreError(f"{name}: must be numbers ({error})") from error
 
 
-def numbers(values: object, name: str, kind: type, count: int) -> tuple:
-    """`count` numbers of one kind, int or float."""
+def numbers(values: object, name: str, kind: type, count: int) -> tuple[Any, ...]:
+    """`count` numbers of one kind, int or float; 2.5 and 2.0 are no int."""
+    convert = operator.index if kind is int else kind
     try:
-        converted = tuple(kind(value) for value in values)  # type: ignore[attr-defined]
+        converted = tuple(convert(value) for value in values)  # type: ignore[attr-defined]
     except (TypeError, ValueError, OverflowError) as error:
         raise NacreError(f"{name}: must be {count} numbers ({error})") from error
     if len(converted) != count:
@@ -296,7 +316,7 @@ def numbers(values: object, name: str, kind: type, count: int) -> tuple:
 
 
 def number(value: object, name: str) -> float:
-    return numbers((value,), name, float, 1)[0]
+    return float(numbers((value,), name, float, 1)[0])
 
 
 def text(value: object, name: str) -> bytes:

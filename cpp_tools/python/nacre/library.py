@@ -29,7 +29,8 @@ class Medium(NamedTuple):
     formula: str = ""
     tags: tuple[str, ...] = ()
 
-    def index(self, wavelength_nm: ArrayLike) -> np.ndarray:
+    # Not that of a tuple, whose values nobody looks for.
+    def index(self, wavelength_nm: ArrayLike) -> np.ndarray:  # type: ignore[override]
         """n + ik, complex128 of the shape of `wavelength_nm` (vacuum, nm).
 
         Raises NacreError outside the range of the data; the message names it.
@@ -111,8 +112,9 @@ def _spectrum_from(found: _native.Spectrum, tags: tuple[str, ...]) -> Spectrum:
         np.ctypeslib.as_array(pointer, (found.count,)).copy()
         for pointer in (found.wavelength_nm, found.values)
     )
-    words = (found.key, found.name, found.kind, found.references, found.licence, found.comments)
-    return Spectrum(*(word.decode() for word in words), wavelengths, values, tags)
+    fields = (found.key, found.name, found.kind, found.references, found.licence, found.comments)
+    key, name, kind, references, licence, comments = (field.decode() for field in fields)
+    return Spectrum(key, name, kind, references, licence, comments, wavelengths, values, tags)
 
 
 def read(path: str | os.PathLike[str]) -> list[Spectrum]:
@@ -129,7 +131,7 @@ def read(path: str | os.PathLike[str]) -> list[Spectrum]:
         for index in range(lib.nacre_spectra_count(handle)):
             found, tags = _native.Spectrum(), ctypes.c_char_p()
             check(lib.nacre_spectra_at(handle, index, ctypes.byref(found), ctypes.byref(tags)))
-            spectra.append(_spectrum_from(found, tuple(tags.value.decode().splitlines())))
+            spectra.append(_spectrum_from(found, tuple((tags.value or b"").decode().splitlines())))
         return spectra
     finally:
         lib.nacre_spectra_free(handle)
@@ -171,7 +173,8 @@ def add_medium(
 
     source: a file of refractiveindex.info (`.yml`), a `.csv` with columns `wavelength_nm`, `n` and
     perhaps `k`, or a pair of arrays (N,): wavelengths in nm, ascending, and n + ik. references:
-    citation, where the file has none. replace, and what is refused: as in add().
+    citation, where the file has none. replace: as in add(). Raises NacreError as add() does, and with
+    all that is wrong with a file, each with its line; OSError where there is no file.
     """
     if isinstance(source, tuple):
         file, content = "samples", _table(*source)

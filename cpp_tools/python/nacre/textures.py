@@ -50,25 +50,44 @@ class Ftxt(NamedTuple):
 
 
 def samples(wavelength_nm: ArrayLike, values: ArrayLike, kind: str = "reflectance") -> np.ndarray:
-    """A spectrum, shape (N,), at `WAVELENGTH_NM`, shape (512,); outside its data the end's value.
+    """Spectra at the wavelengths of a texture; outside their data the value at their end.
 
     A reflectance of six or more equal steps is interpolated by Sprague's polynomials (CIE 167:2005),
-    anything else linearly. Raises NacreError where the data do not overlap 324-835 nm.
+    anything else linearly.
+
+    Parameters
+    ----------
+    wavelength_nm : float, shape (N,)
+        Two or more, ascending, nm.
+    values : float, shape (..., N)
+    kind : "reflectance" or "emission"
+
+    Returns
+    -------
+    float64, shape (..., 512), at `WAVELENGTH_NM`.
+
+    Raises NacreError for values that are not finite and where the data do not overlap 324-835 nm.
     """
     if kind not in ("reflectance", "emission"):
         raise NacreError(f"kind: must be 'reflectance' or 'emission' (got {kind!r})")
     wavelengths = doubles(wavelength_nm, "wavelength_nm")
-    given = doubles(values, "values", wavelengths.shape)
-    result = np.empty(WAVELENGTH_NM.size)
-    check(
-        lib.nacre_texture_samples(
-            wavelengths.size,
-            wavelengths.ctypes.data,
-            given.ctypes.data,
-            int(kind == "reflectance"),
-            result.ctypes.data,
+    given = doubles(values, "values")
+    if wavelengths.ndim != 1 or given.shape[-1:] != wavelengths.shape:
+        raise NacreError(
+            f"values: must have shape (..., N) for wavelength_nm of shape (N,) "
+            f"(got {given.shape} and {wavelengths.shape})"
         )
-    )
+    result = np.empty((*given.shape[:-1], WAVELENGTH_NM.size))
+    for index in np.ndindex(given.shape[:-1]):
+        check(
+            lib.nacre_texture_samples(
+                wavelengths.size,
+                wavelengths.ctypes.data,
+                given[index].ctypes.data,
+                int(kind == "reflectance"),
+                result[index].ctypes.data,
+            )
+        )
     return result
 
 
@@ -89,7 +108,7 @@ def pack_spectra(values: ArrayLike, layout: str = "packed", columns: int = 1) ->
     -------
     float32, shape (rows, columns * 128, 4) or (rows, columns * 512, 1); 0 where there is none.
 
-    Raises NacreError for other shapes and where a side would exceed 65536.
+    Raises NacreError for other shapes, values beyond float32, and where a side would exceed 65536.
     """
     spectra = _spectra(values, "values")
     width, channels = _texels(layout)
@@ -142,6 +161,8 @@ def pack_materials(
     float32, shape (count, 516, 4)
         Texel i < 512: intensity, n, k, 1. 512: colour, 1. 513: n min, n max, k min, k max. 514 and
         515: 0.
+
+    Raises NacreError for other shapes and for values beyond float32.
     """
     spectra = [
         _spectra(array, name) for array, name in ((intensity, "intensity"), (n, "n"), (k, "k"))
@@ -164,12 +185,10 @@ def pack_materials(
 
 
 def unpack_materials(texels: ArrayLike) -> Materials:
-    """What `pack_materials` made. Raises NacreError for a texture of another width."""
+    """What `pack_materials` made, of shape (count, 516, 4). Raises NacreError for another width."""
     texture, array = _texture(texels)
-    result = Materials(
-        *(np.empty((array.shape[0], WAVELENGTH_NM.size)) for _ in range(3)),
-        np.empty((array.shape[0], 3)),
-    )
+    intensity, n, k = (np.empty((array.shape[0], WAVELENGTH_NM.size)) for _ in range(3))
+    result = Materials(intensity, n, k, np.empty((array.shape[0], 3)))
     check(lib.nacre_unpack_materials(ctypes.byref(texture), *(part.ctypes.data for part in result)))
     return result
 
@@ -178,7 +197,8 @@ def pack_lights(power: ArrayLike, colours: ArrayLike) -> np.ndarray:
     """Lights, four a row: power of shape (count, 512), colours (count, 3).
 
     Returns float32 of shape (rows, 516, 4): channel j of texel i < 512 holds the power of light j of
-    the row at 324 + i nm, texel 512 + j its colour and 1; 0 where there is none.
+    the row at 324 + i nm, texel 512 + j its colour and 1; 0 where there is none. Raises NacreError
+    for other shapes and for values beyond float32.
     """
     spectra = _spectra(power, "power")
     rgb = doubles(colours, "colours", (len(spectra), 3))
@@ -192,7 +212,8 @@ def pack_lights(power: ArrayLike, colours: ArrayLike) -> np.ndarray:
 
 
 def unpack_lights(texels: ArrayLike, count: int | None = None) -> Lights:
-    """What `pack_lights` made; `count`: by default four a row."""
+    """What `pack_lights` made, of shape (rows, 516, 4); `count`: by default four a row. Raises
+    NacreError for a texture of another width and for more lights than it has room for."""
     texture, array = _texture(texels)
     count = _count(4 * array.shape[0] if count is None else count, "count")
     lights = Lights(np.empty((count, WAVELENGTH_NM.size)), np.empty((count, 3)))
@@ -204,7 +225,7 @@ def unpack_lights(texels: ArrayLike, count: int | None = None) -> Lights:
     return lights
 
 
-def read_ftxt(path: str | os.PathLike) -> Ftxt:
+def read_ftxt(path: str | os.PathLike[str]) -> Ftxt:
     """A texture from its text form. Raises NacreError with all that is wrong, each with its line,
     and OSError where the file cannot be read."""
     content = Path(path).read_bytes()
@@ -227,7 +248,8 @@ def read_ftxt(path: str | os.PathLike) -> Ftxt:
 
 def ftxt(texels: ArrayLike, comments: Mapping[str, str] | None = None) -> str:
     """The text form of a texture of one to four channels: `width;height`, then `r;g;b;a` a line, in
-    the shortest form that reads back as the same float32. Comments become `# KEY: value` lines."""
+    the shortest form that reads back as the same float32. Comments become `# KEY: value` lines.
+    Raises NacreError for other shapes, numbers that are not finite, and comments of several lines."""
     texture, _array = _texture(texels)
     pairs = {
         text(key, "comments"): text(value, "comments") for key, value in (comments or {}).items()
@@ -240,7 +262,7 @@ def ftxt(texels: ArrayLike, comments: Mapping[str, str] | None = None) -> str:
         lib.nacre_write_ftxt(ctypes.byref(texture), len(pairs), keys, values, ctypes.byref(handle))
     )
     try:
-        return lib.nacre_ftxt_text(handle).decode()
+        return str(lib.nacre_ftxt_text(handle).decode())
     finally:
         lib.nacre_ftxt_free(handle)
 
@@ -259,7 +281,7 @@ def _texels(layout: str) -> tuple[int, int]:
 
 
 def _count(value: object, name: str) -> int:
-    number = _native.numbers((value,), name, int, 1)[0]
+    number: int = _native.numbers((value,), name, int, 1)[0]
     if not 1 <= number <= 10_000_000:
         raise NacreError(f"{name}: must be in [1, 10000000] (got {number})")
     return number

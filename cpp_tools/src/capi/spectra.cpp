@@ -18,6 +18,7 @@
 #include "nacre/spectral/optical_constants.h"
 #include "nacre/spectral/spectrum_files.h"
 #include "nacre/spectral/user_library.h"
+#include "spectrum_kind.h"
 
 struct nacre_spectra {
     std::vector<nacre::spectral::NamedSpectrum> all;
@@ -28,20 +29,11 @@ namespace nacre::capi {
 namespace {
 
 using spectral::NamedSpectrum;
-using spectral::SpectrumKind;
 
 std::string_view text_of(const char* text, std::size_t bytes)
 {
     require(text, "text");
     return {text, bytes};
-}
-
-SpectrumKind kind_from(const char* name)
-{
-    const std::string kind = text_or_empty(name);
-    for (const SpectrumKind known : {SpectrumKind::emission, SpectrumKind::reflectance})
-        if (kind == spectral::spectrum_kind_name(known)) return known;
-    fail("kind", fmt::format("must be emission or reflectance (got \"{}\")", kind));
 }
 
 std::vector<std::string> lines_of(const char* text)

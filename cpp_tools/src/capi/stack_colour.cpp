@@ -154,6 +154,10 @@ nacre_status nacre_map_range(size_t count, double* rgb, const char* range)
         const auto mapping = spectral::range_mapping_from_name(range);
         if (count == 0) return;
         capi::require(rgb, "rgb");
+        for (std::size_t i = 0; i < 3 * count; ++i)
+            if (!std::isfinite(rgb[i]))
+                capi::fail(fmt::format("rgb[{}, {}]", i / 3, i % 3),
+                           fmt::format("must be finite (got {})", rgb[i]));
         std::vector<spectral::Vec3> colours(count);
         for (std::size_t i = 0; i < count; ++i) std::copy_n(rgb + 3 * i, 3, colours[i].begin());
         spectral::map_range(colours, mapping);

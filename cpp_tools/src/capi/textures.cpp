@@ -3,9 +3,13 @@
 #include "nacre/capi/textures.h"
 
 #include <algorithm>
+#include <cmath>
+#include <initializer_list>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "guard.h"
@@ -33,6 +37,33 @@ spectral::SpectrumLayout layout_from(const char* layout)
     if (name == "packed") return spectral::SpectrumLayout::packed;
     if (name == "single") return spectral::SpectrumLayout::single;
     fail("layout", fmt::format("must be packed or single (got {})", name));
+}
+
+/// @throws InputError for what a float does not hold
+void require_floats(const double* values, std::size_t count, std::size_t each, const char* field)
+{
+    constexpr double kMost = std::numeric_limits<float>::max();
+    for (std::size_t i = 0; i < count * each; ++i)
+        if (!(std::abs(values[i]) <= kMost))
+            fail(fmt::format("{}[{}, {}]", field, i / each, i % each),
+                 fmt::format("must be finite and within ±3.4e38, where float ends (got {:g})",
+                             values[i]));
+}
+
+/// The same for several arrays of spectra.
+void require_float_spectra(std::size_t count,
+                           std::initializer_list<std::pair<const double*, const char*>> arrays)
+{
+    for (const auto& [values, field] : arrays) {
+        require(values, field);
+        require_floats(values, count, kTextureSamples, field);
+    }
+}
+
+void require_float_colours(const double* colours, std::size_t count)
+{
+    require(colours, "colours");
+    require_floats(colours, count, 3, "colours");
 }
 
 TextureSamples samples_at(const double* values, std::size_t i)
@@ -112,7 +143,7 @@ nacre_status nacre_pack_spectra(size_t count, const double* values, const char* 
 {
     using namespace nacre;
     return capi::guarded([&] {
-        capi::require(values, "values");
+        capi::require_float_spectra(count, {{values, "values"}});
         capi::require(texels, "texels");
         std::vector<spectral::TextureSamples> spectra(count);
         for (std::size_t i = 0; i < count; ++i) spectra[i] = capi::samples_at(values, i);
@@ -138,10 +169,8 @@ nacre_status nacre_pack_materials(size_t count, const double* intensity, const d
 {
     using namespace nacre;
     return capi::guarded([&] {
-        capi::require(intensity, "intensity");
-        capi::require(n, "n");
-        capi::require(k, "k");
-        capi::require(colours, "colours");
+        capi::require_float_spectra(count, {{intensity, "intensity"}, {n, "n"}, {k, "k"}});
+        capi::require_float_colours(colours, count);
         capi::require(texels, "texels");
         std::vector<spectral::MaterialSpectra> materials(count);
         for (std::size_t i = 0; i < count; ++i)
@@ -175,8 +204,8 @@ nacre_status nacre_pack_lights(size_t count, const double* power, const double* 
 {
     using namespace nacre;
     return capi::guarded([&] {
-        capi::require(power, "power");
-        capi::require(colours, "colours");
+        capi::require_float_spectra(count, {{power, "power"}});
+        capi::require_float_colours(colours, count);
         capi::require(texels, "texels");
         std::vector<spectral::LightSpectra> lights(count);
         for (std::size_t i = 0; i < count; ++i)

@@ -125,6 +125,45 @@ private:
     }
 };
 
+/// The distance of the wavelengths around one of them; 0 outside their range.
+double gap_at(const std::vector<double>& wavelengths_nm, double nm)
+{
+    const auto above = std::ranges::lower_bound(wavelengths_nm, nm);
+    if (above == wavelengths_nm.end() || above == wavelengths_nm.begin()) return 0.0;
+    return *above - *(above - 1);
+}
+
+/// What a sum at those wavelengths would lose of a shape without a word.
+struct FindLoss {
+    const std::vector<double>& wavelengths_nm;
+
+    Problem operator()(const BoxShape& shape) const
+    {
+        const auto inside = std::ranges::lower_bound(wavelengths_nm, shape.first_nm);
+        const bool missed = inside != wavelengths_nm.end() && *inside > shape.last_nm &&
+                            inside != wavelengths_nm.begin();
+        if (!missed) return std::nullopt;
+        return fmt::format(
+            "{:g} … {:g} nm lie between two wavelengths, {} and {} nm; take a finer "
+            "step",
+            shape.first_nm, shape.last_nm, *(inside - 1), *inside);
+    }
+    Problem operator()(const GaussianShape& shape) const
+    {
+        const double gap = gap_at(wavelengths_nm, shape.centre_nm);
+        if (shape.fwhm_nm >= gap) return std::nullopt;
+        return fmt::format(
+            "the width must be ≥ {:g} nm, the step of the wavelengths (got {:g}); "
+            "take a wider one or a finer step",
+            gap, shape.fwhm_nm);
+    }
+    template <class Shape>
+    Problem operator()(const Shape&) const
+    {
+        return std::nullopt;
+    }
+};
+
 }  // namespace
 
 std::optional<std::string> shape_problem(const SpectrumShape& shape)
@@ -167,11 +206,14 @@ Spectrum sum_of_shapes(const std::vector<SpectrumShape>& shapes, std::vector<dou
     DiagnosticList problems;
     if (shapes.empty())
         problems.add({.file = {}, .field = "shapes", .message = "must be at least one"});
-    for (std::size_t i = 0; i < shapes.size(); ++i)
-        if (auto problem = shape_problem(shapes[i]))
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        auto problem = shape_problem(shapes[i]);
+        if (!problem) problem = std::visit(FindLoss{wavelengths_nm}, shapes[i]);
+        if (problem)
             problems.add({.file = {},
                           .field = fmt::format("shapes[{}]", i),
                           .message = std::move(*problem)});
+    }
     problems.throw_if_any();
     std::vector<double> sum(wavelengths_nm.size(), 0.0);
     for (const SpectrumShape& shape : shapes) std::visit(AddShape{wavelengths_nm, sum}, shape);

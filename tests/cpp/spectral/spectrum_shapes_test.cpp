@@ -160,6 +160,24 @@ TEST(SpectrumShapes, NameWhatIsWrongWithThem)
                        "shapes: must have a finite sum (got inf at 4 nm)");
 }
 
+TEST(SpectrumShapes, AreNotLostBetweenTheWavelengths)
+{
+    const auto sum = [](SpectrumShape shape) {
+        return sum_of_shapes({std::move(shape)}, even_wavelengths(500, 600, 5));
+    };
+    EXPECT_INPUT_ERROR(
+        (void)sum(GaussianShape{552, 4.9, 1}),
+        "shapes[0]: the width must be ≥ 5 nm, the step of the wavelengths (got 4.9)");
+    EXPECT_INPUT_ERROR((void)sum(BoxShape{551, 554, 1}),
+                       "551 … 554 nm lie between two wavelengths, 550 and 555 nm");
+    EXPECT_EQ(sum(BoxShape{551, 555, 1}).at(555), 1.0);
+    EXPECT_GT(sum(GaussianShape{552, 5, 1}).at(550), 0.6);
+    // Outside the range nothing is asked for.
+    EXPECT_EQ(sum(GaussianShape{400, 1, 1}).at(550), 0.0);
+    EXPECT_EQ(sum(BoxShape{400, 401, 1}).at(550), 0.0);
+    EXPECT_EQ(sum(BoxShape{700, 701, 1}).at(550), 0.0);
+}
+
 TEST(SpectrumShapes, WavelengthsStandInEqualSteps)
 {
     EXPECT_EQ(even_wavelengths(400, 402, 1), (std::vector<double>{400, 401, 402}));

@@ -74,8 +74,8 @@ struct ColourSpace {
 /// CIE xy of D65 as the RGB spaces define their white: (0.3127, 0.3290).
 [[nodiscard]] Vec3 d65_white() noexcept;
 
-/// The XYZ that L*a*b* of an emission is relative to: D65 of Y = 1 as the observer sees it; to the 2
-/// degree observer d65_white().
+/// The XYZ that L*a*b* of an emission is relative to: D65 of Y = 1 as the observer sees it; to the
+/// 2 degree observer d65_white().
 [[nodiscard]] Vec3 emission_white(ObserverId observer);
 /// Takes the XYZ of an emission to XYZ relative to D65. An emission is not adapted, but the spaces
 /// are defined by the 2 degree observer: to another one D65 light has to be their white as well,

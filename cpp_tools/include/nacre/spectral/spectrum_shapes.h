@@ -62,8 +62,8 @@ using SpectrumShape =
 [[nodiscard]] std::vector<double> even_wavelengths(double first_nm, double last_nm, double step_nm);
 
 /// The sum of all shapes at each wavelength.
-/// @throws InputError for no shapes, for a shape that has a problem, and for a sum that is not
-///         finite.
+/// @throws InputError for no shapes, for a shape that has a problem, for a box or a Gaussian so
+///         narrow that it falls between the wavelengths, and for a sum that is not finite.
 [[nodiscard]] Spectrum sum_of_shapes(const std::vector<SpectrumShape>& shapes,
                                      std::vector<double> wavelengths_nm);
 
