@@ -93,6 +93,7 @@ def test_wider_spaces(nacre, space):
     assert answer["error_dE00"] < 1e-6
     message = nacre.fails("eval", "spectrum", "--space", space, stdin=json.dumps(record((0, 1, 0))))
     assert "rgb: must be the colour of a smooth reflectance, of which the nearest found" in message
+    assert "in lin_rec709_scene), which is" in message
 
 
 @pytest.mark.parametrize(

@@ -58,12 +58,6 @@ private:
     std::string_view rest_;
 };
 
-bool same_letters(std::string_view a, std::string_view b)
-{
-    const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; };
-    return std::ranges::equal(a, b, {}, upper, upper);
-}
-
 /// A field that holds the value at a wavelength.
 struct SpectralField {
     std::size_t column;
@@ -121,6 +115,20 @@ private:
                                   "MEASUREMENT_SOURCE", "SPECTRAL_NORM", "MEAS_TYPE"})
             if (keyword == known)
                 if (const auto value = words_.next()) header_.try_emplace(known, value->text);
+        // Of the table that follows; a file may have several.
+        for (auto& [known, count] : counts_)
+            if (keyword == known)
+                if (const auto value = words_.next()) count = parse_number(value->text);
+    }
+
+    /// Whether a table is as long as a keyword before it says, which a file that broke off is not.
+    void check_count(const char* keyword, std::size_t got, int line)
+    {
+        auto& stated = counts_.at(keyword);
+        if (stated && *stated != static_cast<double>(got))
+            problems_.add(line, keyword,
+                          fmt::format("must be {}, what there is (got {:g})", got, *stated));
+        stated.reset();
     }
 
     void read_fields(int line)
@@ -135,7 +143,10 @@ private:
             norm = 1.0;
         }
         while (const auto word = words_.next()) {
-            if (word->text == "END_DATA_FORMAT") return check_fields(line);
+            if (word->text == "END_DATA_FORMAT") {
+                check_count("NUMBER_OF_FIELDS", columns_, line);
+                return check_fields(line);
+            }
             if (columns_ == kMaxSamples) {
                 problems_.add(line, "BEGIN_DATA_FORMAT",
                               fmt::format("must have at most {} fields", kMaxSamples));
@@ -169,18 +180,22 @@ private:
     {
         if (columns_ == 0) problems_.add(line, "BEGIN_DATA", "must come after BEGIN_DATA_FORMAT");
         std::vector<Word> row;
+        std::size_t sets = 0;
         while (const auto word = words_.next()) {
             if (word->text == "END_DATA") {
                 if (!row.empty())
                     problems_.add(row.front().line, {},
                                   fmt::format("must have {} words as there are fields (got {})",
                                               columns_, row.size()));
+                else if (columns_ > 0)
+                    check_count("NUMBER_OF_SETS", sets, line);
                 return;
             }
             // What came before is wrong already: only the end is of interest.
             if (!problems_.empty() && (columns_ == 0 || fields_.size() < 2)) continue;
             row.push_back(*word);
             if (row.size() < columns_) continue;
+            ++sets;
             add_spectrum(row);
             row.clear();
         }
@@ -234,6 +249,8 @@ private:
     Words words_;
     FileProblems problems_;
     std::map<std::string_view, std::string_view, std::less<>> header_;
+    std::map<std::string_view, std::optional<double>, std::less<>> counts_ = {
+        {"NUMBER_OF_FIELDS", {}}, {"NUMBER_OF_SETS", {}}};
     std::size_t columns_ = 0;
     std::optional<std::size_t> name_column_;
     std::vector<SpectralField> fields_;

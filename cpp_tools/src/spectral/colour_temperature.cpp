@@ -36,13 +36,15 @@ struct LocusPoint {
     Uv uv;
 };
 
-/// 1000 to 100 000 K in steps of 2 %.
+constexpr double kLowest = 1000.0, kHighest = 1.0e5;
+
+/// From below the lowest to above the highest temperature in steps of 2 %.
 const std::vector<LocusPoint>& locus_table()
 {
     static const std::vector<LocusPoint> table = [] {
         std::vector<LocusPoint> points;
-        constexpr double kFirst = 1000.0, kLast = 1.0e5, kStep = 1.02;
-        for (double kelvin = kFirst; kelvin < kLast * kStep; kelvin *= kStep)
+        constexpr double kStep = 1.02;
+        for (double kelvin = kLowest / kStep; kelvin < kHighest * kStep * kStep; kelvin *= kStep)
             points.push_back({kelvin, locus(kelvin)});
         return points;
     }();
@@ -86,6 +88,9 @@ std::optional<ColourTemperature> colour_temperature(const Vec3& xyz)
 
     const double kelvin =
         nearest_temperature(uv, std::prev(nearest)->kelvin, std::next(nearest)->kelvin);
+    constexpr double kRounding = 1e-7;  // of the minimum
+    if (kelvin < kLowest * (1.0 - kRounding) || kelvin > kHighest * (1.0 + kRounding))
+        return std::nullopt;
     const Uv on_locus = locus(kelvin);
     const double duv = std::copysign(distance(uv, on_locus), uv.v - on_locus.v);
     constexpr double kLargestDuv = 0.05;  // CIE 015:2018, 9.4: further off it means nothing

@@ -47,8 +47,8 @@ std::vector<std::string> first_keys(const std::vector<RankedKey>& ranked, std::s
     return keys;
 }
 
-/// Keys that a user may have meant: those of one or two slips, or else every page of a book that
-/// was named, or else up to three that are a few letters away.
+/// Keys that a user may have meant: those of one or two slips or of that page, or else every page
+/// of a book that was named, or else up to three that are a few letters away.
 std::vector<std::string> near_matches(std::string_view key, const std::vector<std::string>& keys)
 {
     constexpr std::size_t kSlips = 2, kMostFarther = 3, kMostPages = 24;
@@ -59,7 +59,12 @@ std::vector<std::string> near_matches(std::string_view key, const std::vector<st
             std::string_view(candidate).substr(0, candidate.find('/'));
         const std::size_t whole = edit_distance(key, candidate);
         const std::size_t distance = std::min(whole, edit_distance(book, its_book) * 2);
-        if (whole <= kSlips) slips.push_back({whole, candidate});
+        // D65 for cie/D65, red for colorchecker/red.
+        const std::string_view page = std::string_view(candidate).substr(candidate.rfind('/') + 1);
+        if (whole <= kSlips)
+            slips.push_back({whole, candidate});
+        else if (edit_distance(key, page) == 0)
+            slips.push_back({kSlips, candidate});
         if (distance <= 2 + key.size() / 4) ranked.push_back({distance, candidate});
     }
     std::ranges::sort(slips);

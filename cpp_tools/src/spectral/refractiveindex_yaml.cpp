@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
@@ -249,6 +250,9 @@ Medium parse_refractiveindex_yaml(std::string_view text, std::string_view name)
         if (auto names = texts_of(root, "NAMES"); !names.empty())
             medium.name = std::move(names.front());
         return medium;
+    } catch (const YAML::DeepRecursion& error) {
+        throw InputError(
+            {file, line_of(error.mark), {}, "must not be nested deeper than 499 levels"});
     } catch (const YAML::Exception& error) {
         throw InputError({file, line_of(error.mark), {}, "is not valid YAML: " + error.msg});
     }

@@ -80,14 +80,15 @@ std::string text_of(const pugi::xml_node& parent, std::string_view name)
     return clean_text(child_of(parent, name).child_value());
 }
 
-/// IES TM-27-14, table of spectral quantities.
+/// IES TM-27-14, table of spectral quantities, in whatever case a file has them.
 std::optional<SpectrumKind> kind_of(std::string_view quantity)
 {
+    const auto is = [quantity](std::string_view word) { return same_letters(quantity, word); };
     for (const std::string_view ratio : {"reflectance", "transmittance", "R-Factor", "T-Factor"})
-        if (quantity == ratio) return SpectrumKind::reflectance;
+        if (is(ratio)) return SpectrumKind::reflectance;
     for (const std::string_view light :
          {"relative", "flux", "intensity", "irradiance", "radiance", "exitance"})
-        if (quantity == light) return SpectrumKind::emission;
+        if (is(light)) return SpectrumKind::emission;
     return std::nullopt;  // absorptance, other
 }
 

@@ -75,6 +75,12 @@ std::optional<double> parse_number(std::string_view text) noexcept
     return number;
 }
 
+bool same_letters(std::string_view a, std::string_view b) noexcept
+{
+    const auto upper = [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; };
+    return std::ranges::equal(a, b, {}, upper, upper);
+}
+
 std::vector<std::string_view> split_words(std::string_view text)
 {
     constexpr std::string_view kSpace = " \t\r,";

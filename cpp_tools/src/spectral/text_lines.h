@@ -36,6 +36,9 @@ private:
 /// else.
 [[nodiscard]] std::optional<double> parse_number(std::string_view text) noexcept;
 
+/// Equal but for the case of ASCII letters.
+[[nodiscard]] bool same_letters(std::string_view a, std::string_view b) noexcept;
+
 /// Words between spaces, tabs and commas.
 [[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
 

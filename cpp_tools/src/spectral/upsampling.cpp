@@ -60,7 +60,15 @@ RisenSpectrum rgb_to_spectrum(const Vec3& rgb, const ColourSpace& space, Upsampl
                               SpectrumKind kind)
 {
     const Vec3 own = to_rec709(rgb, space);
-    return kind == SpectrumKind::emission ? emission_of(own, how) : reflectance_of(own, how);
+    try {
+        return kind == SpectrumKind::emission ? emission_of(own, how) : reflectance_of(own, how);
+    } catch (const InputError& error) {
+        Diagnostic problem = error.diagnostics().front();
+        if (space.name != "lin_rec709_scene")
+            problem.message += fmt::format(", which is {:g}, {:g}, {:g} in {}", rgb[0], rgb[1],
+                                           rgb[2], space.name);
+        throw InputError(std::move(problem));
+    }
 }
 
 }  // namespace nacre::spectral

@@ -200,7 +200,8 @@ TEST(ColourTemperature, FindsTheNearestPointOfTheLocus)
 
 TEST(ColourTemperature, OfABlackbodyIsItsTemperature)
 {
-    for (const double kelvin : {1100.0, 2856.0, 6504.0, 15000.0, 80000.0}) {
+    for (const double kelvin :
+         {1000.0, 1004.0, 1100.0, 2856.0, 6504.0, 15000.0, 80000.0, 99950.0, 1e5}) {
         const auto found =
             colour_temperature(emission_to_xyz(blackbody(kelvin).power, ObserverId::cie1931));
         ASSERT_TRUE(found.has_value()) << kelvin;
@@ -214,8 +215,10 @@ TEST(ColourTemperature, IsNotGivenFarFromTheLocus)
     EXPECT_EQ(colour_temperature({0.1, 1.0, 0.1}), std::nullopt);  // green
     EXPECT_EQ(colour_temperature({0.0, 0.0, 0.0}), std::nullopt);
     EXPECT_EQ(colour_temperature({std::nan(""), 1.0, 1.0}), std::nullopt);
-    const Vec3 ember = emission_to_xyz(blackbody(800.0).power, ObserverId::cie1931);
-    EXPECT_EQ(colour_temperature(ember), std::nullopt);
+    for (const double kelvin : {800.0, 999.9, 100'010.0, 1e6})
+        EXPECT_EQ(colour_temperature(emission_to_xyz(blackbody(kelvin).power, ObserverId::cie1931)),
+                  std::nullopt)
+            << kelvin;
 }
 
 TEST(ReflectanceWeights, WhiteIsExactlyOneInEveryRgbSpace)

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nacre/spectral/optical_constants.h"
+#include "nacre/spectral/spectrum_library.h"
 #include "support/expect.h"
 
 namespace nacre::spectral {
@@ -126,6 +127,7 @@ TEST(Library, SuggestsWhatMayHaveBeenMeant)
     EXPECT_INPUT_ERROR((void)library_medium("Water/daimon-20"),
                        "medium: must be a key of the library, perhaps water/Daimon-20C");
     EXPECT_INPUT_ERROR((void)library_medium("BK7/SCHOTT"), "perhaps N-BK7/SCHOTT");
+    EXPECT_INPUT_ERROR((void)library_spectrum("d65"), "perhaps cie/D65 (got 'd65')");
     EXPECT_INPUT_ERROR((void)library_medium("TiO2"), "TiO2/Sarkar");
     EXPECT_INPUT_ERROR((void)library_medium("unobtainium/Cameron"),
                        "must be a key of the library (got 'unobtainium/Cameron')");

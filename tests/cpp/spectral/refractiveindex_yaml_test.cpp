@@ -267,8 +267,14 @@ TEST(RefractiveIndexYaml, SurvivesHostileInput)
 {
     EXPECT_INPUT_ERROR(parse(std::string(kMaxTextBytes + 1, ' ')),
                        "must not be larger than 16777216 bytes");
-    EXPECT_INPUT_ERROR(parse("DATA: " + std::string(200000, '[')), "is not valid YAML");
-    EXPECT_INPUT_ERROR(parse("DATA: " + std::string(200000, '{')), "is not valid YAML");
+    for (const char open : {'[', '{'})
+        EXPECT_INPUT_ERROR(parse("DATA: " + std::string(200000, open)),
+                           "must not be nested deeper than 499 levels");
+    const auto nested = [](std::size_t lists) {
+        return "X: " + std::string(lists, '[') + std::string(lists, ']') + "\n";
+    };
+    EXPECT_INPUT_ERROR(parse(nested(498)), "DATA: must be");
+    EXPECT_INPUT_ERROR(parse(nested(499)), "must not be nested deeper than 499 levels");
     EXPECT_INPUT_ERROR(parse(table_yaml("n", "        \xc3\x84" + std::string(200, 'x') + "\n")),
                        "must be numbers (got '??" + std::string(58, 'x') + "…')");
     EXPECT_INPUT_ERROR(parse(std::string("\0\xff\xfe", 3)), "test.yml");

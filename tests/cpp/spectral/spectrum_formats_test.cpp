@@ -79,6 +79,7 @@ TEST(Spdx, ReadsHeaderQuantityAndSamples)
     };
     EXPECT_EQ(kind("R-Factor"), SpectrumKind::reflectance);
     EXPECT_EQ(kind("transmittance"), SpectrumKind::reflectance);
+    EXPECT_EQ(kind("Radiance"), SpectrumKind::emission);
     EXPECT_EQ(kind("other"), std::nullopt);
 }
 
@@ -183,6 +184,23 @@ TEST(Cgats, ReadsSpectraOfArgyll)
     EXPECT_EQ(spectra[0].kind, SpectrumKind::emission);
     EXPECT_EQ(spectra[0].samples.values(), (Numbers{1, 0.5}));
     EXPECT_EQ(spectra[0].name, "Argyll spectral power");
+}
+
+TEST(Cgats, IsAsLongAsItSays)
+{
+    const std::string row = "1 red 0.5 0.25\n";
+    EXPECT_INPUT_ERROR((void)read_cgats(kChart + row + "END_DATA\n", "x"),
+                       "x:10: NUMBER_OF_SETS: must be 1, what there is (got 2)");
+    EXPECT_INPUT_ERROR((void)read_cgats(kChart + row + row + row + "END_DATA\n", "x"),
+                       "NUMBER_OF_SETS: must be 3, what there is (got 2)");
+    std::string other = kChart;
+    other.replace(other.find("FIELDS 4"), 8, "FIELDS 5");
+    EXPECT_INPUT_ERROR((void)read_cgats(other + row + row + "END_DATA\n", "x"),
+                       "NUMBER_OF_FIELDS: must be 4, what there is (got 5)");
+    // A second table without a number of its own.
+    const auto spectra =
+        read_cgats(kChart + row + row + "END_DATA\nBEGIN_DATA\n" + row + "END_DATA\n", "x");
+    EXPECT_EQ(spectra.size(), 3u);
 }
 
 TEST(Cgats, NamesEveryProblemWithItsLine)
