@@ -19,6 +19,13 @@ EXACT = {
     "opaque_base": (SOAP, OIL, TEMPER),
     "free_film": (SOAP,),
     "etalon": (SOAP,),
+    "recursion": (
+        SOAP,
+        TEMPER,
+        {**SOAP, "n": [1, [0.2, 3.3], 1.46, [2.4, 0.01], 1.5], "d_nm": [12, 250, 1e5]},
+        {**SOAP, "n": [1.5, 1, 1.5], "d_nm": [120]},
+        {**SOAP, "n": [1, 1.5], "d_nm": []},
+    ),
 }
 
 

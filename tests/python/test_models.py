@@ -13,7 +13,14 @@ SOAP, OIL, TEMPER = [1, 1.33, 1], [1, 1.47, 1.33], [1, 2.2, 2.9 + 3.1j]
 @pytest.mark.parametrize("pol", "spu")
 @pytest.mark.parametrize(
     ("model", "n"),
-    [("airy", OIL), ("opaque_base", TEMPER), ("free_film", SOAP), ("etalon", SOAP)],
+    [
+        ("airy", OIL),
+        ("opaque_base", TEMPER),
+        ("free_film", SOAP),
+        ("etalon", SOAP),
+        ("recursion", TEMPER),
+        ("recursion", [1.5, 1, 1.5]),
+    ],
 )
 def test_exact_forms_agree_with_the_stack(model, n, pol):
     d_nm = np.linspace(0, 1500, 61)[:, None]
@@ -60,7 +67,7 @@ def test_slits():
     [
         (
             {"model": "magic"},
-            "model: must be one of airy, series, opaque_base, free_film, etalon (got 'magic')",
+            "model: must be one of airy, series, opaque_base, free_film, etalon, recursion (got 'magic')",
         ),
         ({"n": [1, 1.5]}, "n: must list ambient, film and base (got shape (2,))"),
         (

@@ -126,10 +126,11 @@ record  {"model": "airy", "n": [1, 1.33, 1], "d_nm": [400], "angle_deg": 30,
                  opaque_base      clear film on a base that may absorb (Sun and Wang); exact
                  free_film        the same medium on both sides, such as a soap bubble; exact
                  etalon           Airy's function; "mirror_reflectance": R instead of Fresnel's
+                 recursion        any absorbing layers, from the base up (Hirayama); exact
                  path_difference  bands without physics; "view_angle_deg" instead of "pol"
                  uv               interface alone by u + iv = cosθ₂; "n" of two media, "d_nm": []
-  the rest       as for `nacre eval stack`; film and ambient are clear, and no form but uv has
-                 total reflection
+  the rest       as for `nacre eval stack`; film and ambient are clear, and no form but recursion
+                 and uv has total reflection
 result  {"R": …, "exact": …, "error": …}: the form, the multilayer, and their difference; null where
         the mirrors are given. path_difference: {"bands": …} in [0, 1). uv: {"R": …,
         "r_s": [re, im], "r_p": [re, im], "cos": [u, v]}

@@ -19,7 +19,8 @@ using optics::SingleFilm;
 struct FilmQuestion {
     std::string model, polarisation;
     std::vector<Complex> n;
-    SingleFilm film;  ///< where the model has a film
+    SingleFilm film;          ///< where the model has a film
+    optics::FilmStack stack;  ///< of all media
     double cos_ambient, cos_view, wavelength_nm;
     std::optional<double> mirror_reflectance;
 };
@@ -27,6 +28,18 @@ struct FilmQuestion {
 double cosine(double angle_deg)
 {
     return std::cos(angle_deg * std::numbers::pi / 180.0);
+}
+
+/// The model with any number of layers.
+void check_stack(ObjectReader& reader, const std::vector<Complex>& n,
+                 const std::vector<double>& d_nm)
+{
+    if (n.size() < 2)
+        reader.problem(
+            "n", fmt::format("must list ambient and base at least (got {} values)", n.size()));
+    else if (d_nm.size() + 2 != n.size())
+        reader.problem("d_nm", fmt::format("must have {} values, one for each layer of n (got {})",
+                                           n.size() - 2, d_nm.size()));
 }
 
 /// The layers of the model: none for an interface, else one.
@@ -53,14 +66,17 @@ FilmQuestion read_film(const json& record)
 {
     DiagnosticList problems;
     ObjectReader reader(record, "", problems);
-    const auto model = reader.choice(
-        "model", {"path_difference", "airy", "series", "opaque_base", "free_film", "etalon", "uv"});
+    const auto model = reader.choice("model", {"path_difference", "airy", "series", "opaque_base",
+                                               "free_film", "etalon", "recursion", "uv"});
     const auto n = read_indices(reader, problems);
     const auto d_nm = reader.numbers("d_nm", kNotNegative);
     const Range angles{0.0, 90.0, false, true};
     const auto angle = reader.number("angle_deg", angles);
     const auto wavelength = reader.number("wavelength_nm", kPositive);
-    if (model && !n.empty() && d_nm) check_layers(reader, n, *d_nm, model == "uv");
+    if (model == "recursion" && !n.empty() && d_nm)
+        check_stack(reader, n, *d_nm);
+    else if (model && !n.empty() && d_nm)
+        check_layers(reader, n, *d_nm, model == "uv");
     std::optional<double> view, mirror;
     std::optional<std::string> polarisation = "u";
     if (model == "path_difference")
@@ -72,7 +88,11 @@ FilmQuestion read_film(const json& record)
     if (model) reader.refuse_unknown_keys();
     problems.throw_if_any();
 
-    FilmQuestion question{*model, *polarisation, n, {}, cosine(*angle), 1.0, *wavelength, mirror};
+    FilmQuestion question{
+        *model,         *polarisation, n,           {},    {n.front(), {}, n.back()},
+        cosine(*angle), 1.0,           *wavelength, mirror};
+    for (std::size_t i = 0; i < d_nm->size(); ++i)
+        question.stack.layers.push_back({n[i + 1], (*d_nm)[i]});
     if (view) question.cos_view = cosine(*view);
     if (n.size() == 3) question.film = {n[0].real(), n[1].real(), n[2], d_nm->front()};
     return question;
@@ -87,6 +107,7 @@ std::vector<Polarisation> polarisations(const std::string& word)
 double reflectance(const FilmQuestion& question, Polarisation which)
 {
     const Incidence light{question.cos_ambient, question.wavelength_nm, which};
+    if (question.model == "recursion") return optics::recursion_power(question.stack, light).R;
     if (question.mirror_reflectance)
         return optics::etalon_reflectance(question.film, light, question.mirror_reflectance);
     return optics::film_reflectance(optics::film_model_from_name(question.model), question.film,
@@ -118,14 +139,14 @@ ordered_json evaluate_film(const json& record)
         return {
             {"bands", optics::path_difference_bands(question.film, question.cos_ambient,
                                                     question.cos_view, question.wavelength_nm)}};
-    const optics::FilmStack stack{
-        question.n[0], {{question.n[1], question.film.thickness_nm}}, question.n[2]};
     double R = 0.0, exact = 0.0;
     const auto both = polarisations(question.polarisation);
     for (const Polarisation which : both) {
         R += reflectance(question, which) / static_cast<double>(both.size());
-        exact += optics::stack_power(stack, question.cos_ambient, question.wavelength_nm, which).R /
-                 static_cast<double>(both.size());
+        exact +=
+            optics::stack_power(question.stack, question.cos_ambient, question.wavelength_nm, which)
+                .R /
+            static_cast<double>(both.size());
     }
     ordered_json result = {{"R", R}, {"exact", nullptr}, {"error", nullptr}};
     if (!question.mirror_reflectance) {

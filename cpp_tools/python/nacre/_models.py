@@ -32,9 +32,10 @@ def film_reflectance(
 
     Parameters
     ----------
-    model : "airy", "series", "opaque_base", "free_film" or "etalon"
+    model : "airy", "series", "opaque_base", "free_film", "etalon" or "recursion"
         Two beams in closed form; cut after two round trips; on a base that may absorb; the same
-        medium on both sides; Airy's function. All but "series" are exact in their domain.
+        medium on both sides; Airy's function; from the base up, total reflection included. All but
+        "series" are exact in their domain.
     n : complex, shape (..., 3)
         Indices of ambient, film and base; the film and the ambient are clear.
     d_nm, angle_deg, wavelength_nm : float, shape (...)
@@ -52,7 +53,8 @@ def film_reflectance(
     NacreError
         Outside the domain of the form, such as total reflection in the film: names field and item.
 
-    Source: cpp_tools/doc/models.md; Durikovic, Kimura 2006; Sun, Wang 2008; Born, Wolf 1999.
+    Source: cpp_tools/doc/models.md; Durikovic, Kimura 2006; Sun, Wang 2008; Hirayama et al. 2001;
+    Born, Wolf 1999.
     """
     media = complexes(n, "n")
     if media.ndim == 0 or media.shape[-1] != 3:

@@ -109,6 +109,29 @@ Surfaces clear_surfaces(const SingleFilm& film, const Incidence& light)
     return surfaces(film, light);
 }
 
+void check_recursion(const FilmStack& stack, const Incidence& light)
+{
+    Domain domain;
+    domain.light(light.cos_ambient, light.wavelength_nm);
+    if (const auto problem = validate(stack))
+        throw InputError({.file = {},
+                          .field = fmt::format("{}[{}]", problem->field, problem->index),
+                          .message = problem->message});
+    for (std::size_t i = 0; i < stack.layers.size(); ++i) {
+        const std::string field = fmt::format("n[{}]", i + 1);
+        const Layer& layer = stack.layers[i];
+        domain.require(layer.coherent && layer.spread_nm == 0.0, field.c_str(),
+                       "must be coherent and without a spread: this form is one of amplitudes");
+        // Nearer to it the error would exceed 1e-12.
+        constexpr double kNearest = 1e-4;
+        const Complex cosine = forward_cosine(stack.ambient, layer.n, light.cos_ambient);
+        domain.require(std::abs(cosine) >= kNearest, field.c_str(),
+                       "must not be at its critical angle, where this form is 0/0; nacre eval "
+                       "stack has a value there");
+    }
+    domain.throw_if_any();
+}
+
 double sinc(double x) noexcept
 {
     return x == 0.0 ? 1.0 : std::sin(x) / x;
@@ -210,6 +233,44 @@ double etalon_reflectance(const SingleFilm& film, const Incidence& light,
     return 1.0 - etalon_transmittance(std::norm(r), phase);
 }
 
+Amplitudes recursion_amplitudes(const FilmStack& stack, const Incidence& light)
+{
+    check_recursion(stack, light);
+    const auto cosine_in = [&](Complex n) {
+        return forward_cosine(stack.ambient, n, light.cos_ambient);
+    };
+    Complex below = stack.substrate, reflected{}, passed{1.0};
+    for (std::size_t j = stack.layers.size() + 1; j-- > 0;) {
+        const Complex above = j == 0 ? stack.ambient : stack.layers[j - 1].n;
+        const auto at = fresnel_amplitudes(above, below, cosine_in(above), cosine_in(below));
+        const bool s = light.polarisation == Polarisation::s;
+        const Complex r = s ? at.r_s : at.r_p, t = s ? at.t_s : at.t_p;
+        Complex once{1.0};
+        if (j < stack.layers.size())
+            once = std::exp(
+                Complex(0.0, 2.0 * pi * stack.layers[j].thickness_nm / light.wavelength_nm) *
+                below * cosine_in(below));
+        const Complex again = reflected * once * once, both = 1.0 + r * again;
+        reflected = (r + again) / both;
+        passed *= t * once / both;
+        below = above;
+    }
+    return {.r = reflected, .t = passed};
+}
+
+PowerRatios recursion_power(const FilmStack& stack, const Incidence& light)
+{
+    const auto [r, t] = recursion_amplitudes(stack, light);
+    const Complex cosine = forward_cosine(stack.ambient, stack.substrate, light.cos_ambient);
+    // The flux of s goes with N cosθ, that of p, by the conjugate of one of them, with N* cosθ.
+    const Complex n =
+        light.polarisation == Polarisation::s ? stack.substrate : std::conj(stack.substrate);
+    const double R = std::norm(r);
+    const double T =
+        std::norm(t) * (n * cosine).real() / (stack.ambient.real() * light.cos_ambient);
+    return {.R = R, .T = T, .A = 1.0 - R - T};
+}
+
 FilmModel film_model_from_name(std::string_view name)
 {
     if (name == "airy") return FilmModel::airy;
@@ -217,11 +278,13 @@ FilmModel film_model_from_name(std::string_view name)
     if (name == "opaque_base") return FilmModel::opaque_base;
     if (name == "free_film") return FilmModel::free_film;
     if (name == "etalon") return FilmModel::etalon;
+    if (name == "recursion") return FilmModel::recursion;
     throw InputError(
         {.file = {},
          .field = "model",
          .message = fmt::format(
-             "must be one of airy, series, opaque_base, free_film, etalon (got '{}')", name)});
+             "must be one of airy, series, opaque_base, free_film, etalon, recursion (got '{}')",
+             name)});
 }
 
 double film_reflectance(FilmModel model, const SingleFilm& film, const Incidence& light)
@@ -236,9 +299,12 @@ double film_reflectance(FilmModel model, const SingleFilm& film, const Incidence
         case FilmModel::free_film:
             return free_film_reflectance(film, light);
         case FilmModel::etalon:
+            return etalon_reflectance(film, light, std::nullopt);
+        case FilmModel::recursion:
             break;
     }
-    return etalon_reflectance(film, light, std::nullopt);
+    const FilmStack stack{film.n_ambient, {{film.n_film, film.thickness_nm}}, film.n_base};
+    return recursion_power(stack, light).R;
 }
 
 UvForm uv_interface(double n_ambient, Complex n_base, double cos_ambient)

@@ -69,6 +69,53 @@ RC_GTEST_PROP(FilmModels, FreeFilmAndEtalonAreTheMultilayer, ())
     RC_ASSERT(std::abs(etalon_transmittance(mirror, phase) - (1.0 - reflected)) < 1e-11);
 }
 
+RC_GTEST_PROP(FilmModels, RecursionIsTheMultilayer, ())
+{
+    const LitStack lit = *test::lit_stack(test::index_of_any(), test::index_of_any());
+    for (const Polarisation which : {Polarisation::s, Polarisation::p}) {
+        const Incidence light{lit.cos_ambient, lit.wavelength_nm, which};
+        const auto [r, t] = recursion_amplitudes(lit.stack, light);
+        const auto exact = stack_amplitudes(lit.stack, lit.cos_ambient, lit.wavelength_nm, which);
+        RC_ASSERT(std::abs(r - exact.r) < 1e-12);
+        RC_ASSERT(std::abs(t - exact.t) < 1e-12);
+        const PowerRatios power = recursion_power(lit.stack, light);
+        const PowerRatios reference =
+            stack_power(lit.stack, lit.cos_ambient, lit.wavelength_nm, which);
+        RC_ASSERT(std::abs(power.T - reference.T) < 1e-12);
+        RC_ASSERT(std::abs(power.A - reference.A) < 1e-12);
+    }
+}
+
+TEST(FilmModels, RecursionEndsAtTheCriticalAngle)
+{
+    const FilmStack stack{2.0, {{1.0, 57.0}}, 1.5};
+    const Incidence light{std::sqrt(0.75), 550.0, Polarisation::s};
+    EXPECT_INPUT_ERROR((void)recursion_amplitudes(stack, light),
+                       "n[1]: must not be at its critical angle");
+    // A little off it the form holds on either side, and behind it light still tunnels.
+    for (const double cosine : {std::sqrt(0.75) - 1e-6, std::sqrt(0.75) + 1e-6, 0.8}) {
+        const Incidence near{cosine, 550.0, Polarisation::s};
+        EXPECT_NEAR(recursion_power(stack, near).R,
+                    stack_power(stack, cosine, 550.0, Polarisation::s).R, 1e-12);
+    }
+    FilmStack apart = stack;
+    apart.layers[0].coherent = false;
+    EXPECT_INPUT_ERROR((void)recursion_amplitudes(apart, {0.9, 550.0, Polarisation::s}),
+                       "n[1]: must be coherent and without a spread");
+    EXPECT_INPUT_ERROR((void)recursion_amplitudes({2.0, {{1.0, -57.0}}, 1.5}, light), "d_nm[0]");
+}
+
+// With e^{iΔ} in place of its square, a slip of the pen in print, a film has half its thickness.
+TEST(FilmModels, RecursionTakesTheWholeRoundTrip)
+{
+    const Incidence light{1.0, 550.0, Polarisation::s};
+    const FilmStack quarter{1.0, {{2.4, 550.0 / 2.4 / 4}}, 1.5};
+    const FilmStack half{1.0, {{2.4, 550.0 / 2.4 / 2}}, 1.5};
+    const double bright = (2.4 * 2.4 - 1.5) / (2.4 * 2.4 + 1.5);
+    EXPECT_NEAR(recursion_power(quarter, light).R, bright * bright, 1e-14);
+    EXPECT_NEAR(recursion_power(half, light).R, 0.04, 1e-14);
+}
+
 RC_GTEST_PROP(FilmModels, SeriesStaysWithinItsBound, ())
 {
     const SingleFilm film = any_film(*between(1.05, 3.0));

@@ -75,10 +75,22 @@ struct Incidence {
 [[nodiscard]] double etalon_reflectance(const SingleFilm& film, const Incidence& light,
                                         std::optional<double> mirror_reflectance);
 
-/// Forms that give a reflectance from a film and its light alone.
-enum class FilmModel { airy, series, opaque_base, free_film, etalon };
+/// Any number of absorbing layers from the substrate up, with E = e^{iΔ}, Δ = 2π N d cosθ/λ:
+/// γ ← (r + γE²)/(1 + rγE²), τ ← tτE/(1 + rγE²) (Hirayama et al. 2001). Exact, total reflection
+/// included. The form that was published; `stack_amplitudes` works in variables that stay defined
+/// where this one is 0/0.
+/// Domain: all layers coherent and without a spread, no layer at its critical angle, where its
+/// t has no value; a stack without problems (`validate`).
+[[nodiscard]] Amplitudes recursion_amplitudes(const FilmStack& stack, const Incidence& light);
 
-/// "airy", "series", "opaque_base", "free_film" or "etalon". @throws InputError for any other name.
+/// R and T of these amplitudes.
+[[nodiscard]] PowerRatios recursion_power(const FilmStack& stack, const Incidence& light);
+
+/// Forms that give a reflectance from a film and its light alone.
+enum class FilmModel { airy, series, opaque_base, free_film, etalon, recursion };
+
+/// "airy", "series", "opaque_base", "free_film", "etalon" or "recursion".
+/// @throws InputError for any other name.
 [[nodiscard]] FilmModel film_model_from_name(std::string_view name);
 
 /// By the form of that name; an etalon of the film's own faces.
