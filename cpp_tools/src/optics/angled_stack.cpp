@@ -144,7 +144,9 @@ void AngledStack::doubt(Lanes& out) const
     out.fill(0.0);
     squares.fill(0.0);
     for (const std::size_t m : loaded_) add_doubt(out, squares, roots_[m], loads_[m]);
-    limit_doubt(out, squares);
+    // Of up to nine the sum is never more than three times the root of the sum of squares.
+    constexpr std::size_t kMostUnlimited = 9;
+    if (loaded_.size() > kMostUnlimited) limit_doubt(out, squares);
 }
 
 }  // namespace nacre::optics::detail

@@ -286,8 +286,11 @@ NACRE_VECTOR_CLONES void finish_power(LanePower& s, LanePower& p, Lanes& doubt,
         store(p.R, i, over_p * simd::norm(load(fields.p.b, i)));
         store(s.T, i, over_all * waves * eta_above * q_below.re * t_s);
         store(p.T, i, over_all * waves * q_above.re * eta_below * t_p);
-        const V field_s = t_s / (load(fields.least_s, i) + kNotZero);
-        const V field_p = t_p / (load(fields.least_p, i) + kNotZero);
+        const V least_s = load(fields.least_s, i), least_p = load(fields.least_p, i);
+        // Few layers: no field was looked at on the way, none is larger than 1.
+        const auto seen = (least_s < kLarge<double>) | (least_p < kLarge<double>);
+        if (((seen[0] | seen[1]) | (seen[2] | seen[3])) == 0) continue;
+        const V field_s = t_s / (least_s + kNotZero), field_p = t_p / (least_p + kNotZero);
         const V field = field_s > field_p ? field_s : field_p;
         store(doubt, i, load(doubt, i) * (field > 1.0 ? field : V{} + 1.0));
     }
