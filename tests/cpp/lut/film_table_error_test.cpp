@@ -64,6 +64,42 @@ void expect_honest(const FilmTableRequest& asked)
     if (tables.transmittance) check(*tables.transmittance, true);
 }
 
+/// Of reflectance, over the picture of a sphere of one thickness: the area goes with cosθ.
+double mean_on_a_sphere(const FilmTableRequest& asked, const Table& table, double thickness_nm)
+{
+    constexpr int kCosines = 1000;
+    double sum = 0.0, area = 0.0;
+    for (int i = 0; i < kCosines; ++i) {
+        const double cosine = 0.05 + 0.95 * (i + 0.5) / kCosines;
+        const auto exact = exact_film_colour(asked, cosine, thickness_nm).reflectance;
+        sum += cosine * test::delta_e(asked, test::read(table, cosine, thickness_nm), exact);
+        area += cosine;
+    }
+    return sum / area;
+}
+
+void expect_each_row_right_on_average(FilmTableRequest asked)
+{
+    asked.transmittance = false;
+    const Table table = bake_film_tables(asked).reflectance;
+    const int steps = 2 * table.y.texels - 2;
+    double largest = 0.0;
+    for (int i = 0; i < 24; ++i) {
+        const int half_row = steps * i / 23;
+        const double along = static_cast<double>(half_row) / steps;
+        const double nm = table.y.min + along * (table.y.max - table.y.min);
+        largest = std::max(largest, mean_on_a_sphere(asked, table, nm));
+    }
+    EXPECT_LE(largest, 0.0905 * asked.tolerance);
+    EXPECT_GE(largest, 0.01 * asked.tolerance);
+}
+
+TEST(FilmTableError, EachRowIsRightOnAverage)
+{
+    expect_each_row_right_on_average(test::soap_film());
+    expect_each_row_right_on_average(test::anodised());
+}
+
 TEST(FilmTableError, OfOneFilm)
 {
     expect_honest(test::soap_film());
