@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import os
+import sys
 from pathlib import Path
 
 import pytest
 from harness import ROOT, VERSIONS, Blender
 from report import Report
+
+sys.path.insert(0, str(ROOT / "cpp_tools" / "python"))
+os.environ.setdefault("NACRE_LIBRARY", str(ROOT / "build" / "release" / "lib" / "libnacre.so"))
 
 
 def pytest_addoption(parser):

@@ -65,8 +65,9 @@ class Blender:
         nacre("render", *arguments, "--quiet", "-o", file, env=environment)
         return read_image(file)
 
-    def run(self, worker: str, jobs: list[dict]) -> list[np.ndarray]:
-        """The pictures of a script beside this file for several jobs in one process."""
+    def run(self, worker: str, jobs: list[dict], materials: Path | None = None) -> list[np.ndarray]:
+        """The pictures of a script beside this file for several jobs in one process; of compiled
+        materials elsewhere, if given."""
         listed = [{**job, "file": str(self.folder / f"{i}.exr")} for i, job in enumerate(jobs)]
         file = self.folder / "jobs.json"
         file.write_text(json.dumps(listed))
@@ -74,7 +75,7 @@ class Blender:
             [self.python, HERE / worker, file],
             capture_output=True,
             text=True,
-            env={**os.environ, "NACRE_MATERIALS": str(materials_folder())},
+            env={**os.environ, "NACRE_MATERIALS": str(materials or materials_folder())},
             timeout=1800,
             check=False,
         )

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""What a pixel of the furnace sphere must be: `nacre eval`, 471 wavelengths, no table.
+"""What a pixel of the furnace sphere must be: `nacre.stack`, 471 wavelengths, no table.
 
 The stack is read from the template here, apart from the library's own reader, and each index comes
-from `nacre library show`; reflectances become colours by `nacre eval spectrum`.
+from `nacre library show`; reflectances become colours by `nacre.spectrum_to_colour`.
 """
 
 from __future__ import annotations
@@ -12,8 +12,11 @@ import json
 import tomllib
 from functools import lru_cache
 
+import harness
 import numpy as np
-from harness import ROOT, nacre
+from harness import ROOT
+
+import nacre
 
 WAVELENGTHS = list(range(360, 831))
 
@@ -23,7 +26,7 @@ def library_index(key: str) -> tuple[complex, ...]:
     if key == "air":
         return (1.0 + 0.0j,) * len(WAVELENGTHS)
     at = [option for nm in WAVELENGTHS for option in ("--at", nm)]
-    shown = json.loads(nacre("library", "show", key, *at, "--json"))
+    shown = json.loads(harness.nacre("library", "show", key, *at, "--json"))
     return tuple(complex(row["n"], row["k"]) for row in shown["at"])
 
 
@@ -53,49 +56,41 @@ def layers_of(template: dict) -> list[dict]:
     return layers
 
 
-def stack_records(material: str, value: float | None, cosines: np.ndarray) -> list[dict]:
-    """Records of `nacre eval stack`, all wavelengths of the first angle first."""
-    template = tomllib.loads((ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8"))
-    layers = layers_of(template)
+def material_template(material: str) -> dict:
+    """The template of a material of the library."""
+    return tomllib.loads((ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8"))
+
+
+def thicknesses(template: dict, value: float | None) -> list[float]:
+    """nm of each layer with `value` for what varies: one thickness, or the scale of all coherent
+    layers."""
     scale = value if "scale" in template.get("stack", {}) else 1.0
-    indices = [index(m) for m in (template["ambient"], *layers, template["substrate"])]
-    coherent = [layer.get("coherent", True) for layer in layers]
-    thickness = [layer["thickness_nm"] for layer in layers]
-    d_nm = [
-        value if isinstance(d, dict) and d.get("varies") else
-        (d["default"] if isinstance(d, dict) else d) * (scale if together else 1.0)
-        for d, together in zip(thickness, coherent, strict=True)
-    ]  # fmt: skip
-    coherence = ["c" if together else "i" for together in coherent]
-    pairs = np.array(indices).T
-    return [
-        {
-            "n": [[n.real, n.imag] for n in pairs[i]],
-            "d_nm": d_nm,
-            "angle_deg": float(np.degrees(np.arccos(cosine))),
-            "wavelength_nm": nm,
-            "pol": "u",
-            "coherence": coherence,
-        }
-        for cosine in cosines
-        for i, nm in enumerate(WAVELENGTHS)
-    ]
+    result = []
+    for layer in layers_of(template):
+        nm = layer["thickness_nm"]
+        if isinstance(nm, dict):
+            nm = value if nm.get("varies") else nm["default"]
+        result.append(nm * (scale if layer.get("coherent", True) else 1.0))
+    return result
 
 
-def exact_colours(material: str, value: float | None, cosines: np.ndarray) -> dict[str, np.ndarray]:
+def exact_colours(
+    template: dict, value: float | None, cosines: np.ndarray
+) -> dict[str, np.ndarray]:
     """Linear Rec. 709 of R and T under D65, each of shape (len(cosines), 3)."""
-    records = stack_records(material, value, cosines)
-    answers = json.loads(nacre("eval", "stack", stdin=json.dumps(records)))
-    colours = {}
-    for name in ("R", "T"):
-        spectra = np.array([answer[name] for answer in answers]).reshape(len(cosines), -1)
-        reflectances = [
-            {"wavelength_nm": WAVELENGTHS, "values": row.tolist(), "kind": "reflectance"}
-            for row in spectra
-        ]
-        answered = json.loads(nacre("eval", "spectrum", stdin=json.dumps(reflectances)))
-        colours[name] = np.array([answer["rgb"] for answer in answered])
-    return colours
+    layers = layers_of(template)
+    media = (template["ambient"], *layers, template["substrate"])
+    answer = nacre.stack(
+        np.stack([index(medium) for medium in media], axis=-1),
+        thicknesses(template, value),
+        np.degrees(np.arccos(cosines))[:, None],
+        WAVELENGTHS,
+        coherent=[layer.get("coherent", True) for layer in layers],
+    )
+    return {
+        name: nacre.spectrum_to_colour(WAVELENGTHS, getattr(answer, name)).rgb
+        for name in ("R", "T")
+    }
 
 
 def pixel_cosines(size: int, edge: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
