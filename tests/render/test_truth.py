@@ -9,7 +9,7 @@ from functools import lru_cache
 import numpy as np
 import pytest
 from harness import delta_e, manifest
-from truth import exact_colours, material_template, pixel_cosines
+from truth import exact_colours, material_template, pixel_cosines, template_names, varied
 
 # The first sample of a pixel lies at its centre, and one is enough where there is one way to go. A
 # film that transmits picks one of two ways at random; the error of Sobol points falls like 1/N.
@@ -20,16 +20,29 @@ LIMITS = {"opaque": (0.01, 0.1), "transmitting": (0.03, 0.15)}
 # A channel this far below 0 is cut by the node form, which then cannot be right.
 IN_GAMUT = -1e-4
 
-FILMS = {
+# Thicknesses or scales worth more than the two that every film gets.
+CHOSEN = {
     "soap_film": (400.0, 930.0),
     "oil_on_water": (420.0, 1100.0),
     "tempered_steel": (20.0, 48.0),
     "anodised_titanium": (52.0, 180.0),
-    "dichroic_mirror": (None,),  # no thickness is the artist's
     "jewel_beetle": (1.0, 1.21),
     "colour_shift_ink": (350.0, 470.0),
 }
-CASES = [(name, value) for name, values in FILMS.items() for value in values]
+
+
+def values_of(material: str) -> tuple[float | None, ...]:
+    """What to render it with: its default, and half-way from there to the end of its range."""
+    if material in CHOSEN:
+        return CHOSEN[material]
+    axis = varied(material_template(material))
+    if axis is None:
+        return (None,)
+    return (float(axis["default"]), 0.5 * (axis["default"] + axis["max"]))
+
+
+FILMS = [name for name in template_names() if "substrate" in material_template(name)]
+CASES = [(name, value) for name in FILMS for value in values_of(name)]
 
 
 def socket_values(material: str, value: float | None) -> dict[str, float]:
@@ -129,6 +142,7 @@ def test_every_film_is_checked():
         if (folder / f"{folder.name}.json").is_file() and manifest(folder.name)["kind"] == "film"
     }
     assert films == set(FILMS)
+    assert set(CHOSEN) <= films
 
 
 @pytest.mark.parametrize("material", ["n_bk7", "sf11", "water", "diamond"])

@@ -61,6 +61,19 @@ def material_template(material: str) -> dict:
     return tomllib.loads((ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8"))
 
 
+def template_names() -> list[str]:
+    """Materials of the library, by the names of their templates."""
+    return sorted(file.stem for file in (ROOT / "osl" / "templates").glob("*.toml"))
+
+
+def varied(template: dict) -> dict | None:
+    """{default, min, max} of what is the second axis of the tables: one thickness, or the scale."""
+    if "scale" in template.get("stack", {}):
+        return template["stack"]["scale"]
+    given = [layer["thickness_nm"] for layer in layers_of(template)]
+    return next((nm for nm in given if isinstance(nm, dict) and nm.get("varies")), None)
+
+
 def thicknesses(template: dict, value: float | None) -> list[float]:
     """nm of each layer with `value` for what varies: one thickness, or the scale of all coherent
     layers."""
