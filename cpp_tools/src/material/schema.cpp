@@ -130,6 +130,15 @@ Json material_schema()
                   {"id", "name", "category", "source"});
 }
 
+Json base_schema()
+{
+    return {{"type", "array"},
+            {"minItems", 3},
+            {"maxItems", 3},
+            {"items", number({{"minimum", 0}, {"maximum", 1}}, "reflectance of a channel")},
+            {"description", "matt base under a clear substrate"}};
+}
+
 Json parameter_schema()
 {
     const Json bounds{{"minimum", 0}, {"maximum", 10}};
@@ -160,7 +169,8 @@ std::string template_json_schema()
          {"grating", grating_schema()},
          {"glass", reference("medium")},
          {"surface", object({{"roughness", number({{"minimum", 0}, {"maximum", 1}}, "Blender's")},
-                             {"transmission", {{"type", "boolean"}}}},
+                             {"transmission", {{"type", "boolean"}}},
+                             {"diffuse_base", base_schema()}},
                             Json::array())},
          {"parameter", {{"type", "array"}, {"items", parameter_schema()}}}},
         {"schema", "material"});

@@ -49,25 +49,33 @@ void read_material(Section& root, MaterialTemplate& result)
     section->report_unknown_keys();
 }
 
+std::optional<std::array<double, 3>> read_base(Section& section)
+{
+    const auto numbers = section.numbers("diffuse_base", 3, 3);
+    if (!numbers) return std::nullopt;
+    std::array<double, 3> base{};
+    std::ranges::copy(*numbers, base.begin());
+    constexpr Bounds kShare{0.0, 1.0};
+    for (const double channel : base) {
+        if (kShare.contains(channel)) continue;
+        section.report("diffuse_base", fmt::format("{} (got {})", kShare.text(channel), channel));
+        break;
+    }
+    return base;
+}
+
 void read_surface(Section& root, MaterialTemplate& result)
 {
     auto section = root.section("surface");
     if (!section) return;
     result.surface.roughness = section->number("roughness", {0.0, 1.0}).value_or(0.0);
-    if (std::holds_alternative<StackSpec>(result.kind))
+    if (std::holds_alternative<StackSpec>(result.kind)) {
         result.surface.transmission = section->boolean("transmission").value_or(false);
+        result.surface.diffuse_base = read_base(*section);
+        if (result.surface.transmission && result.surface.diffuse_base)
+            section->report("diffuse_base", "excludes transmission: nothing passes a matt base");
+    }
     section->report_unknown_keys();
-}
-
-void check_transmission(Section& root, const MaterialTemplate& result)
-{
-    const auto* stack = std::get_if<StackSpec>(&result.kind);
-    if (!stack || !result.surface.transmission || !root.has("ambient") || !root.has("substrate"))
-        return;
-    if (stack->ambient.value != stack->substrate.value)
-        root.report("surface",
-                    "transmission: needs a substrate that is the same medium as the "
-                    "ambient: a thin-walled film lets light pass straight on");
 }
 
 std::vector<std::string_view> known_parameters(const MaterialTemplate& result)
@@ -120,7 +128,6 @@ void read_template(Section& root, MaterialTemplate& result)
     read_material(root, result);
     result.kind = read_kind(root);
     read_surface(root, result);
-    check_transmission(root, result);
     for (Section& section : root.sections("parameter")) read_parameter(section, result);
     root.report_unknown_keys();
 }
@@ -139,6 +146,15 @@ const ParameterSpec* MaterialTemplate::parameter(std::string_view parameter_name
 {
     const auto it = std::ranges::find(parameters, parameter_name, &ParameterSpec::name);
     return it == parameters.end() ? nullptr : &*it;
+}
+
+Interior MaterialTemplate::interior() const
+{
+    if (surface.diffuse_base) return Interior::diffuse;
+    if (!surface.transmission) return Interior::opaque;
+    const auto* stack = std::get_if<StackSpec>(&kind);
+    const bool one_medium = !stack || stack->ambient.value == stack->substrate.value;
+    return one_medium ? Interior::thin_wall : Interior::solid;
 }
 
 MaterialTemplate parse_template(std::string_view toml, std::string_view file)

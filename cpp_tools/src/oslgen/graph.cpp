@@ -51,8 +51,8 @@ void multiply_add(Graph& graph, const std::string& id, const std::string& from, 
     graph.link(from, id + ".0");
 }
 
-/// |cos| of the angle of view; Geometry's Incoming points to the viewer.
-void add_cosine(Graph& graph)
+/// Socket with |cos| of the angle of view; Geometry's Incoming points to the viewer.
+std::string add_cosine(Graph& graph)
 {
     graph.node("geometry", "ShaderNodeNewGeometry");
     graph.node("dot", "ShaderNodeVectorMath", {{"operation", "DOT_PRODUCT"}});
@@ -60,14 +60,38 @@ void add_cosine(Graph& graph)
     graph.link("geometry.Incoming", "dot.0");
     graph.link("input.normal", "dot.1");
     graph.link("dot.Value", "cos.0");
+    return "cos.Value";
+}
+
+/// Socket with the cosine in the ambient, c: on back faces √(1 − n² (1 − c²)), and 0 where that has
+/// no root, which is total reflection.
+std::string add_ambient_cosine(Graph& graph, const std::string& cosine, double index)
+{
+    const auto math = [&graph](const std::string& id, const char* operation, Json values) {
+        graph.node(id, "ShaderNodeMath", {{"operation", operation}}, std::move(values));
+    };
+    math("cos_squared", "MULTIPLY", Json::object());
+    graph.link(cosine, "cos_squared.0");
+    graph.link(cosine, "cos_squared.1");
+    multiply_add(graph, "refracted", "cos_squared.Value", index * index, 1.0 - index * index);
+    math("propagating", "MAXIMUM", {{"1", 0.0}});
+    graph.link("refracted.Value", "propagating.0");
+    math("cos_outside", "SQRT", Json::object());
+    graph.link("propagating.Value", "cos_outside.0");
+    graph.node("cos_ambient", "ShaderNodeMix", {{"data_type", "FLOAT"}});
+    graph.link("geometry.Backfacing", "cos_ambient.Factor_Float");
+    graph.link(cosine, "cos_ambient.A_Float");
+    graph.link("cos_outside.Value", "cos_ambient.B_Float");
+    return "cos_ambient.Result_Float";
 }
 
 /// u and v that put the ends of both axes on the centres of the edge texels; beyond them the
 /// image's extension holds the edge.
-void add_coordinates(Graph& graph, const std::string& id, const TableInfo& table)
+void add_coordinates(Graph& graph, const std::string& id, const TableInfo& table,
+                     const std::string& cosine)
 {
     const double w = table.x.texels, h = table.y.texels;
-    multiply_add(graph, id + "_u", "cos.Value", (w - 1.0) / w, 0.5 / w);
+    multiply_add(graph, id + "_u", cosine, (w - 1.0) / w, 0.5 / w);
     if (table.y.texels == 1) {
         graph.node(id + "_uv", "ShaderNodeCombineXYZ", Json::object(), {{"Y", 0.5}});
     } else {
@@ -83,11 +107,12 @@ void add_coordinates(Graph& graph, const std::string& id, const TableInfo& table
 /// Image nodes of all tables, named as the tables; tables of one size share their coordinates.
 void add_tables(Graph& graph, const Context& context)
 {
-    add_cosine(graph);
+    std::string cosine = add_cosine(graph);
+    if (context.solid_index) cosine = add_ambient_cosine(graph, cosine, *context.solid_index);
     std::set<std::string> coordinates;
     for (const TableInfo& table : context.tables) {
         const std::string id = fmt::format("at_{}x{}", table.x.texels, table.y.texels);
-        if (coordinates.insert(id).second) add_coordinates(graph, id, table);
+        if (coordinates.insert(id).second) add_coordinates(graph, id, table, cosine);
         graph.image(table.name);
         graph.link(id + "_uv.Vector", table.name + ".Vector");
     }
@@ -105,6 +130,57 @@ std::string faded(Graph& graph, const Context& context, const std::string& name)
     return mix + ".Result_Color";
 }
 
+/// A vector operation on colours; operands are sockets, or none where `values` has them.
+std::string add_colour_math(Graph& graph, const std::string& id, const char* operation,
+                            const std::string& a, const std::string& b,
+                            Json values = Json::object())
+{
+    graph.node(id, "ShaderNodeVectorMath", {{"operation", operation}}, std::move(values));
+    if (!a.empty()) graph.link(a, id + ".0");
+    if (!b.empty()) graph.link(b, id + ".1");
+    return id + ".Vector";
+}
+
+/// T · base · T_inner / (1 − base · R_inner), as nacre_base_colour() has it.
+std::string add_base_colour(Graph& graph, const Context& context)
+{
+    const std::string returned = add_colour_math(graph, "returned", "MULTIPLY", "input.base_colour",
+                                                 faded(graph, context, "R_inner"));
+    const std::string rest =
+        add_colour_math(graph, "rest", "SUBTRACT", "", returned, {{"0", {1.0, 1.0, 1.0}}});
+    const std::string leaving = add_colour_math(graph, "leaving", "MULTIPLY", "input.base_colour",
+                                                faded(graph, context, "T_inner"));
+    const std::string passing =
+        add_colour_math(graph, "passing", "MULTIPLY", leaving, faded(graph, context, "T"));
+    return add_colour_math(graph, "base", "DIVIDE", passing, rest);
+}
+
+/// The shader for what passes the film; empty where nothing does.
+std::string add_below_the_film(Graph& graph, const Context& context)
+{
+    switch (context.source->interior()) {
+        case material::Interior::opaque:
+            return "";
+        case material::Interior::thin_wall:
+            graph.node("transmission", "ShaderNodeBsdfTransparent");
+            graph.link(faded(graph, context, "T"), "transmission.Color");
+            return "transmission.BSDF";
+        case material::Interior::solid:
+            graph.node("transmission", "ShaderNodeBsdfRefraction", {{"distribution", "GGX"}},
+                       {{"IOR", context.solid_index.value()}});
+            graph.link(faded(graph, context, "T"), "transmission.Color");
+            graph.link("input.roughness", "transmission.Roughness");
+            graph.link("input.normal", "transmission.Normal");
+            return "transmission.BSDF";
+        case material::Interior::diffuse:
+            graph.node("matt", "ShaderNodeBsdfDiffuse");
+            graph.link(add_base_colour(graph, context), "matt.Color");
+            graph.link("input.normal", "matt.Normal");
+            return "matt.BSDF";
+    }
+    return "";
+}
+
 Json film_nodes(const Context& context)
 {
     Graph graph;
@@ -113,15 +189,14 @@ Json film_nodes(const Context& context)
     graph.link(faded(graph, context, "R"), "reflection.Color");
     graph.link("input.roughness", "reflection.Roughness");
     graph.link("input.normal", "reflection.Normal");
-    if (!find_table(context, "T")) {
+    const std::string below = add_below_the_film(graph, context);
+    if (below.empty()) {
         graph.link("reflection.BSDF", "output.BSDF");
         return graph.json();
     }
-    graph.node("transmission", "ShaderNodeBsdfTransparent");
-    graph.link(faded(graph, context, "T"), "transmission.Color");
     graph.node("sum", "ShaderNodeAddShader");
     graph.link("reflection.BSDF", "sum.0");
-    graph.link("transmission.BSDF", "sum.1");
+    graph.link(below, "sum.1");
     graph.link("sum.Shader", "output.BSDF");
     return graph.json();
 }

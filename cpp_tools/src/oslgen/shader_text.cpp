@@ -104,20 +104,42 @@ std::string film_colour(const Context& context, const std::string& name)
     return result;
 }
 
+/// What becomes of the light that passes the film.
+std::string below_the_film(const Context& context)
+{
+    switch (context.source->interior()) {
+        case material::Interior::opaque:
+            return "    BSDF = nacre_reflection(surface_normal, R, roughness);\n";
+        case material::Interior::thin_wall:
+            return film_colour(context, "T") +
+                   "    BSDF = nacre_reflection(surface_normal, R, roughness);\n"
+                   "    BSDF = T * transparent() + BSDF;\n";
+        case material::Interior::solid:
+            return film_colour(context, "T") +
+                   fmt::format(
+                       "    BSDF = nacre_coated_glass(surface_normal, roughness, {}, R, T);\n",
+                       literal(context.solid_index.value()));
+        case material::Interior::diffuse:
+            return film_colour(context, "T") + film_colour(context, "R_inner") +
+                   film_colour(context, "T_inner") +
+                   "    color base = T * nacre_base_colour(base_colour, R_inner, T_inner);\n"
+                   "    BSDF = nacre_reflection(surface_normal, R, roughness);\n"
+                   "    BSDF = base * diffuse(surface_normal) + BSDF;\n";
+    }
+    return "";
+}
+
 std::string film_body(const Context& context)
 {
     const TableInfo::Axis& axis = find_table(context, "R")->y;
     std::string body = "    float x = fabs(dot(surface_normal, I));\n";
+    if (context.solid_index)
+        body +=
+            fmt::format("    x = nacre_ambient_cosine(x, {});\n", literal(*context.solid_index));
     if (axis.texels > 1)
         body += fmt::format("    float y = ({} - {}) / {};\n", axis.name, literal(axis.min),
                             literal(axis.max - axis.min));
-    body += film_colour(context, "R");
-    body += "    BSDF = nacre_reflection(surface_normal, R, roughness);\n";
-    if (find_table(context, "T")) {
-        body += film_colour(context, "T");
-        body += "    BSDF = T * transparent() + BSDF;\n";
-    }
-    return body;
+    return body + film_colour(context, "R") + below_the_film(context);
 }
 
 std::string grating_body(const Context& context)
@@ -149,7 +171,8 @@ std::string glass_body(const Context& context)
 std::string includes(const Context& context)
 {
     if (std::holds_alternative<material::StackSpec>(context.source->kind))
-        return "#include \"nacre/nacre_surface.h\"\n#include \"nacre/nacre_table.h\"\n";
+        return fmt::format("#include \"nacre/{}\"\n#include \"nacre/nacre_table.h\"\n",
+                           context.solid_index ? "nacre_coated_glass.h" : "nacre_surface.h");
     if (std::holds_alternative<material::GratingSpec>(context.source->kind))
         return "#include \"nacre/nacre_disc.h\"\n";
     return "#include \"nacre/nacre_dispersion.h\"\n#include \"nacre/nacre_glass.h\"\n";

@@ -49,6 +49,13 @@ void add_film(const StackSpec& stack, const MaterialTemplate& source, std::vecto
                                 *stack.scale));
     if (source.parameter("coverage"))
         result.push_back(share("coverage", "Coverage", "0: bare substrate, 1: film", 1.0));
+    if (source.surface.diffuse_base)
+        result.push_back({.name = "base_colour",
+                          .label = "Base Colour",
+                          .type = "color",
+                          .unit = "1",
+                          .description = "Colour of the matt base under the film and its substrate",
+                          .colour = *source.surface.diffuse_base});
 }
 
 void add_grating(const GratingSpec& grating, const GratingColours& colours,

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "media.h"
+#include "nacre/lut/inner_tables.h"
 #include "nacre/oslgen/material_program.h"
 #include "nacre/pipeline/shader_tables.h"
 #include "nacre/spectral/wavelength_sampling.h"
@@ -48,7 +49,8 @@ std::optional<lut::Variation> variation(const StackSpec& stack)
     return std::nullopt;
 }
 
-lut::SampledStack sampled_stack(const StackSpec& stack, const std::string& file)
+lut::SampledStack sampled_stack(const StackSpec& stack, bool clear_substrate,
+                                const std::string& file)
 {
     MediaReader media(file);
     lut::SampledStack result{
@@ -56,7 +58,8 @@ lut::SampledStack sampled_stack(const StackSpec& stack, const std::string& file)
     for (const material::LayerSpec& layer : stack.layers)
         result.layers.push_back(
             {media.on_grid(layer.medium), layer.thickness_nm.value, layer.coherent});
-    result.substrate = media.on_grid(stack.substrate);
+    result.substrate = clear_substrate ? media.clear_on_grid(stack.substrate, kTraceOfK)
+                                       : media.on_grid(stack.substrate);
     media.throw_if_any();
     return result;
 }
@@ -78,25 +81,30 @@ oslgen::TableInfo table_info(const lut::Table& table, const std::string& id)
             .lowest = *std::ranges::min_element(table.texels)};
 }
 
-void append_tables(lut::FilmTables&& baked, const std::string& suffix,
-                   std::vector<lut::Table>& tables)
+/// R, and what light needs that goes on below the film.
+std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request, bool diffuse_base)
 {
-    baked.reflectance.name = "R" + suffix;
-    tables.push_back(std::move(baked.reflectance));
-    if (!baked.transmittance) return;
-    baked.transmittance->name = "T" + suffix;
-    tables.push_back(std::move(*baked.transmittance));
+    lut::FilmTables baked = lut::bake_film_tables(request);
+    const int height = baked.reflectance.y.texels;
+    std::vector<lut::Table> tables{std::move(baked.reflectance)};
+    if (baked.transmittance) tables.push_back(std::move(*baked.transmittance));
+    if (diffuse_base) {
+        lut::InnerTables inner = lut::bake_inner_tables(request, height);
+        tables.push_back(std::move(inner.reflectance));
+        tables.push_back(std::move(inner.transmittance));
+    }
+    return tables;
 }
 
 /// Problems of the bake belong to the template as a whole.
-lut::FilmTables bake(const lut::FilmTableRequest& request, const std::string& file)
+std::vector<lut::Table> bake(const lut::FilmTableRequest& request, const MaterialTemplate& source)
 {
     try {
-        return lut::bake_film_tables(request);
+        return film_tables(request, source.surface.diffuse_base.has_value());
     } catch (const InputError& error) {
         std::vector<Diagnostic> problems(error.diagnostics().begin(), error.diagnostics().end());
         for (Diagnostic& problem : problems)
-            if (problem.file.empty()) problem.file = file;
+            if (problem.file.empty()) problem.file = source.file;
         throw InputError(std::move(problems));
     }
 }
@@ -104,13 +112,15 @@ lut::FilmTables bake(const lut::FilmTableRequest& request, const std::string& fi
 std::vector<lut::Table> bake_all(const MaterialTemplate& source, const CompileOptions& options)
 {
     lut::FilmTableRequest request = film_request(source, options);
-    std::vector<lut::Table> tables;
-    append_tables(bake(request, source.file), "", tables);
-    if (source.parameter("coverage")) {
-        request.stack.layers.clear();
-        request.variation.reset();
-        request.progress = nullptr;
-        append_tables(bake(request, source.file), "_bare", tables);
+    std::vector<lut::Table> tables = bake(request, source);
+    if (!source.parameter("coverage")) return tables;
+
+    request.stack.layers.clear();
+    request.variation.reset();
+    request.progress = nullptr;
+    for (lut::Table& table : bake(request, source)) {
+        table.name += "_bare";
+        tables.push_back(std::move(table));
     }
     return tables;
 }
@@ -133,6 +143,14 @@ oslgen::GratingColours grating_colours(const GratingSpec& grating, const std::st
     media.throw_if_any();
     const double cover_index = media.constants(grating.cover)->at(kLineD).real();
     return {lut::exact_film_colour(request, 1.0, 0.0).reflectance, cover_index};
+}
+
+/// Index of the substrate relative to the ambient, at the d line.
+double relative_index(const StackSpec& stack, const std::string& file)
+{
+    MediaReader media(file);
+    return media.constants(stack.substrate)->at(kLineD).real() /
+           media.constants(stack.ambient)->at(kLineD).real();
 }
 
 oslgen::GlassIndex glass_index(const GlassSpec& glass, const std::string& file,
@@ -167,11 +185,12 @@ lut::FilmTableRequest film_request(const MaterialTemplate& source, const Compile
                                     "must be a film: [ambient], [[layer]], "
                                     "[substrate]"});
     lut::FilmTableRequest request;
-    request.stack = sampled_stack(*stack, source.file);
+    const bool light_goes_on = source.interior() != material::Interior::opaque;
+    request.stack = sampled_stack(*stack, light_goes_on, source.file);
     request.variation = variation(*stack);
     request.weights = colour_weights(options);
     request.tolerance = options.tolerance;
-    request.transmittance = source.surface.transmission;
+    request.transmittance = light_goes_on;
     request.progress = options.progress;
     return request;
 }
@@ -196,6 +215,8 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
         result.tables = bake_all(source, options);
         for (const lut::Table& table : result.tables)
             context.tables.push_back(table_info(table, source.id));
+        if (source.interior() == material::Interior::solid)
+            context.solid_index = relative_index(std::get<StackSpec>(source.kind), source.file);
     }
     oslgen::MaterialProgram program = oslgen::generate(context);
     result.osl = std::move(program.osl);

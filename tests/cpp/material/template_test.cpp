@@ -71,6 +71,19 @@ default = 0.75
     EXPECT_DOUBLE_EQ(result.parameter("coverage")->value, 0.75);
 }
 
+TEST(Template, KnowsWhatLiesBelowTheFilm)
+{
+    const auto interior = [](const std::string& substrate, const std::string& surface) {
+        const std::string text =
+            kHead + "[ambient]\nn = 1\n[substrate]\n" + substrate + "\n[surface]\n" + surface;
+        return parse_template(text, "t.toml").interior();
+    };
+    EXPECT_EQ(interior("n = 1.5", ""), Interior::opaque);
+    EXPECT_EQ(interior("n = 1", "transmission = true"), Interior::thin_wall);
+    EXPECT_EQ(interior("n = 1.5", "transmission = true"), Interior::solid);
+    EXPECT_EQ(interior("n = 1.5", "diffuse_base = [0.1, 0.2, 0.3]"), Interior::diffuse);
+}
+
 TEST(Template, UnrollsGroups)
 {
     const auto result = parse_template(kFilm + R"([[layer]]
@@ -249,8 +262,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"scale_of_nothing",
                  kFilm + "[stack]\nscale = { default = 1, min = 0.5, max = 2 }\n",
                  "stack.scale: needs a coherent layer"},
-        BadInput{"transmission_into_glass", kFilm + "[surface]\ntransmission = true\n",
-                 "surface: transmission: needs a substrate that is the same medium"},
+        BadInput{"base_that_transmits",
+                 kFilm + "[surface]\ntransmission = true\ndiffuse_base = [1, 1, 1]\n",
+                 "surface.diffuse_base: excludes transmission"},
+        BadInput{"base_of_one_number", kFilm + "[surface]\ndiffuse_base = [0.5]\n",
+                 "surface.diffuse_base: must be 3 to 3 finite numbers"},
+        BadInput{"base_above_white", kFilm + "[surface]\ndiffuse_base = [0.5, 1.5, 1]\n",
+                 "surface.diffuse_base: must be in [0, 1] (got 1.5)"},
         BadInput{"absorbing_ambient", kHead + "[ambient]\nn = 1.5\nk = 0.1\n[substrate]\nn = 1.5\n",
                  "t.toml:7: ambient: must not absorb"},
         BadInput{"two_kinds", kHead + "[glass]\nn = 1.5\n[grating]\npitch_nm = 5\n",

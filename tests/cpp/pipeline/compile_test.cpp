@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
@@ -67,6 +68,63 @@ TEST(Compile, EveryShippedTemplateCompiles)
         }
         EXPECT_NE(result.osl.find("shader nacre_" + result.id), std::string::npos);
     }
+}
+
+const std::string kOnGlass = kHead + R"([ambient]
+medium = "air"
+[[layer]]
+n = 2.2
+thickness_nm = { default = 100, min = 50, max = 300, varies = true }
+[substrate]
+medium = "N-BK7/SCHOTT"
+[surface]
+)";
+
+CompiledMaterial compiled(const std::string& toml)
+{
+    return compile(material::parse_template(toml, "t.toml"), quick());
+}
+
+TEST(Compile, FilmOnSolidGlassRefracts)
+{
+    const CompiledMaterial result = compiled(kOnGlass + "transmission = true\n");
+    ASSERT_EQ(result.tables.size(), 2u);
+    EXPECT_EQ(result.tables[1].name, "T");
+    EXPECT_NE(result.osl.find("nacre_coated_glass(surface_normal, roughness, 1.5168"),
+              std::string::npos);
+    const Json manifest = Json::parse(result.manifest);
+    bool refracts = false;
+    for (const Json& node : manifest["graphs"]["nodes"]["nodes"])
+        if (node["type"] == "ShaderNodeBsdfRefraction") {
+            refracts = true;
+            EXPECT_NEAR(node["values"]["IOR"].get<double>(), 1.5168, 1e-4);
+        }
+    EXPECT_TRUE(refracts);
+}
+
+TEST(Compile, FilmOverAMattBaseHasItsInnerTables)
+{
+    const CompiledMaterial result =
+        compiled(kOnGlass +
+                 "diffuse_base = [0.8, 0.5, 0.25]\n[[parameter]]\nname = \"coverage\"\n"
+                 "label = \"Coverage\"\ndefault = 1\n");
+    std::vector<std::string> names;
+    for (const lut::Table& table : result.tables) names.push_back(table.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"R", "T", "R_inner", "T_inner", "R_bare", "T_bare",
+                                               "R_inner_bare", "T_inner_bare"}));
+    EXPECT_EQ(result.tables[2].y.texels, result.tables[0].y.texels);
+    const Json sockets = Json::parse(result.manifest)["sockets"];
+    EXPECT_EQ(sockets[2]["name"], "base_colour");
+    EXPECT_EQ(sockets[2]["default"], Json({0.8, 0.5, 0.25}));
+}
+
+TEST(Compile, LightCannotGoOnInAMetal)
+{
+    const std::string metal = kHead +
+                              "[ambient]\nn = 1\n[substrate]\nmedium = \"Fe/Johnson\"\n"
+                              "[surface]\ntransmission = true\n";
+    EXPECT_NE(problems(metal).find("t.toml:10: substrate.medium"), std::string::npos)
+        << problems(metal);
 }
 
 TEST(Compile, SoapFilmHasFadingTablesOfBothSides)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -83,7 +84,17 @@ inline constexpr int kMaxLayers = 64;
 
 struct SurfaceSpec {
     double roughness = 0.0;
-    bool transmission = false;  ///< thin-walled: what passes goes straight on; ambient = substrate
+    bool transmission = false;  ///< light passes through the film
+    /// Reflectance of a matt base under a clear substrate, each channel 0…1: the artist's colour
+    std::optional<std::array<double, 3>> diffuse_base;
+};
+
+/// What a film lies on, as the light finds it.
+enum class Interior {
+    opaque,     ///< nothing comes back from below
+    thin_wall,  ///< what passes goes straight on: ambient and substrate are one medium
+    solid,      ///< clear: what passes is refracted, and meets the film again from inside
+    diffuse,    ///< clear and thin over a matt base
 };
 
 enum class GratingProfile { sinusoidal, rectangular, blazed };
@@ -122,6 +133,8 @@ struct MaterialTemplate {
     std::vector<ParameterSpec> parameters;
 
     [[nodiscard]] const ParameterSpec* parameter(std::string_view parameter_name) const;
+    /// Of a film; of other kinds it means nothing.
+    [[nodiscard]] Interior interior() const;
 
     std::string file;    ///< for messages
     std::string sha256;  ///< of the template's bytes

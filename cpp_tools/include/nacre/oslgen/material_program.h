@@ -65,6 +65,7 @@ struct Context {
     std::optional<WavelengthTable> wavelengths;  ///< of gratings and glasses
     std::optional<GlassIndex> glass;
     std::optional<GratingColours> grating;
+    std::optional<double> solid_index;  ///< of a film on clear glass: relative, at the d line
     std::string space, illuminant, observer;
 };
 
