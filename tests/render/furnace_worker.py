@@ -5,12 +5,16 @@
 A job: material, form, values, size, samples, file and `lit`:
 `all` the plain furnace; `reflected` the world is black for light that passed a transparent surface;
 `passed` it is white only for camera rays that went straight through the film. (Cycles meets a point
-sphere from outside only, so that light crosses one wall.)
+sphere from outside only, so that light crosses one wall.) `sun` is one direction, `angle` degrees
+below the camera, and nothing else. Without a material the sphere is white glossy.
 """
 
 from __future__ import annotations
 
+import math
+
 import bpy
+from mathutils import Matrix
 from worker_support import extension, render_picture, run_jobs
 
 # Enough for what is left inside a sphere of diamond to be nothing.
@@ -37,18 +41,52 @@ def light_by_transparent_depth(world: bpy.types.World, depth: int) -> None:
     tree.links.new(straight.outputs[0], background.inputs["Strength"])
 
 
-def render(job: dict) -> None:
+def light_by_sun(scene: bpy.types.Scene, angle: float) -> None:
+    """Sharp white light from `angle` degrees below the camera's own direction; a black world."""
+    background = next(n for n in scene.world.node_tree.nodes if n.type == "BACKGROUND")
+    background.inputs["Strength"].default_value = 0.0
+    lamp = bpy.data.lights.new("sun", "SUN")
+    lamp.angle = 0.0
+    sun = bpy.data.objects.new("sun", lamp)
+    # Lamps shine along their own -z, as cameras look.
+    turned = Matrix.Rotation(math.radians(angle), 4, "X")
+    sun.matrix_world = scene.camera.matrix_world @ turned
+    scene.collection.objects.link(sun)
+
+
+def white_glossy(roughness: float) -> bpy.types.Material:
+    material = bpy.data.materials.new("white")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    lobe = tree.nodes.new("ShaderNodeBsdfAnisotropic")
+    lobe.distribution = "GGX"
+    lobe.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    lobe.inputs["Roughness"].default_value = roughness
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(lobe.outputs[0], output.inputs["Surface"])
+    return material
+
+
+def film(scene: bpy.types.Scene, job: dict) -> bpy.types.Material:
     compiled = extension("core.library").Library.default().load(job["material"])
-    stage = extension("scenes").build_stage("furnace")
-    scene = stage.scene
     material = extension("nodes.material").create_material(compiled, job["form"])
     extension("nodes.material").set_values(material, job["values"])
-    stage.place(material)
     if job["form"] == "osl":
         extension("nodes.scene").use_osl(scene)
         if compiled.wavelength_per_path:
             extension("nodes.scene").use_wavelengths(scene)
-    if job["lit"] != "all":
+    return material
+
+
+def render(job: dict) -> None:
+    stage = extension("scenes").build_stage("furnace")
+    scene = stage.scene
+    given = job["material"] is not None
+    stage.place(film(scene, job) if given else white_glossy(job["values"]["roughness"]))
+    if job["lit"] == "sun":
+        light_by_sun(scene, job["angle"])
+    elif job["lit"] != "all":
         light_by_transparent_depth(scene.world, 0 if job["lit"] == "reflected" else 1)
     scene.cycles.seed = 0
     for bounces in BOUNCES:

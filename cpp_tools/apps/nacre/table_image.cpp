@@ -41,9 +41,10 @@ std::string axes_json(const std::vector<lut::Axis>& axes)
 Attributes table_attributes(const lut::Table& table, const TableProvenance& provenance)
 {
     const ordered_json error = {
-        {"max", table.error_max}, {"mean", table.error_mean}, {"unit", "dE00"}};
+        {"max", table.error_max}, {"mean", table.error_mean}, {"unit", table.error_unit}};
     std::vector<lut::Axis> axes{table.x};
     if (table.y.texels > 1) axes.push_back(table.y);
+    if (table.slices > 1) axes.push_back({"roughness", "1", 1.0 / table.slices, 1.0, table.slices});
     Attributes attributes{
         {"nacre:schema", kTableSchema},
         {"nacre:version", std::string(version())},

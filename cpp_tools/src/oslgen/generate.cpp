@@ -22,6 +22,11 @@ Json socket_entry(const Socket& socket)
                {"unit", socket.unit},
                {"description", socket.description}};
     if (socket.type == "color") entry["default"] = socket.colour;
+    if (socket.type == "int") {
+        entry["default"] = static_cast<int>(socket.value);
+        entry["min"] = static_cast<int>(socket.min);
+        entry["max"] = static_cast<int>(socket.max);
+    }
     if (socket.type == "float") {
         entry["default"] = socket.value;
         entry["min"] = socket.min;
@@ -41,19 +46,28 @@ Json axis_entry(const TableInfo::Axis& axis)
 
 Json table_entry(const TableInfo& table)
 {
-    return {{"name", table.name},
-            {"file", table.file},
-            {"quantity", table.quantity},
-            {"width", table.x.texels},
-            {"height", table.y.texels},
-            {"axes", {axis_entry(table.x), axis_entry(table.y)}},
-            {"error", {{"max", table.error_max}, {"mean", table.error_mean}, {"unit", "dE00"}}}};
+    Json entry{
+        {"name", table.name},
+        {"file", table.file},
+        {"quantity", table.quantity},
+        {"width", table.x.texels},
+        {"height", table.y.texels},
+        {"axes", {axis_entry(table.x), axis_entry(table.y)}},
+        {"error",
+         {{"max", table.error_max}, {"mean", table.error_mean}, {"unit", table.error_unit}}}};
+    if (table.slices > 1)
+        entry["slices"] = {{"name", "roughness"},
+                           {"count", table.slices},
+                           {"min", 1.0 / table.slices},
+                           {"max", 1.0}};
+    return entry;
 }
 
 Json gamut_entry(const Context& context)
 {
     double lowest = 0.0;
-    for (const TableInfo& table : context.tables) lowest = std::min(lowest, table.lowest);
+    for (const TableInfo& table : context.tables)
+        if (table.quantity != "schlick_coefficients") lowest = std::min(lowest, table.lowest);
     return {{"negative", lowest < 0.0}, {"lowest", lowest}};
 }
 
@@ -85,6 +99,10 @@ Json manifest(const Context& context)
                 {"graphs", {{"osl", osl_graph(context)}, {"nodes", node_graph(context)}}}};
     for (const Socket& socket : sockets(context)) result["sockets"].push_back(socket_entry(socket));
     for (const TableInfo& table : context.tables) result["tables"].push_back(table_entry(table));
+    if (context.schlick)
+        result["schlick"] = {
+            {"exponents", context.schlick->exponents},
+            {"error", {{"max", context.schlick->error_max}, {"rms", context.schlick->error_rms}}}};
     if (context.glass)
         result["glass"] = {
             {"lines",

@@ -26,10 +26,13 @@ public:
         nodes_.push_back(std::move(entry));
     }
 
-    void image(const std::string& table)
+    void image(const std::string& id, const std::string& table)
     {
-        nodes_.push_back({{"id", table}, {"type", "ShaderNodeTexImage"}, {"table", table}});
+        nodes_.push_back({{"id", id}, {"type", "ShaderNodeTexImage"}, {"table", table}});
     }
+
+    /// Whether this is the first time that `id` is asked for.
+    [[nodiscard]] bool first(const std::string& id) { return made_.insert(id).second; }
 
     void link(std::string from, std::string to)
     {
@@ -40,6 +43,7 @@ public:
 
 private:
     Json nodes_ = Json::array(), links_ = Json::array();
+    std::set<std::string> made_;
 };
 
 /// value * factor + offset
@@ -85,49 +89,146 @@ std::string add_ambient_cosine(Graph& graph, const std::string& cosine, double i
     return "cos_ambient.Result_Float";
 }
 
-/// u and v that put the ends of both axes on the centres of the edge texels; beyond them the
-/// image's extension holds the edge.
-void add_coordinates(Graph& graph, const std::string& id, const TableInfo& table,
-                     const std::string& cosine)
+/// v that puts the ends of the second axis on the centres of the edge texels; beyond them the
+/// image's extension holds the edge. Empty where there is one row.
+std::string add_row(Graph& graph, const TableInfo& table)
 {
-    const double w = table.x.texels, h = table.y.texels;
-    multiply_add(graph, id + "_u", cosine, (w - 1.0) / w, 0.5 / w);
-    if (table.y.texels == 1) {
-        graph.node(id + "_uv", "ShaderNodeCombineXYZ", Json::object(), {{"Y", 0.5}});
-    } else {
+    const double h = table.y.texels;
+    if (table.y.texels == 1) return "";
+    const std::string id = fmt::format("row_of_{}", table.y.texels);
+    if (graph.first(id)) {
         const double slope = (h - 1.0) / (h * (table.y.max - table.y.min));
-        multiply_add(graph, id + "_v", "input." + table.y.name, -slope,
+        multiply_add(graph, id, "input." + table.y.name, -slope,
                      1.0 - 0.5 / h + slope * table.y.min);
-        graph.node(id + "_uv", "ShaderNodeCombineXYZ");
-        graph.link(id + "_v.Value", id + "_uv.Y");
     }
-    graph.link(id + "_u.Value", id + "_uv.X");
+    return id + ".Value";
 }
 
-/// Image nodes of all tables, named as the tables; tables of one size share their coordinates.
+/// Where a table is read; `u` is a socket, or empty where `constant_u` has it.
+void add_position(Graph& graph, const std::string& id, const std::string& u, double constant_u,
+                  const std::string& v)
+{
+    Json values = Json::object();
+    if (u.empty()) values["X"] = constant_u;
+    if (v.empty()) values["Y"] = 0.5;
+    graph.node(id, "ShaderNodeCombineXYZ", Json::object(), std::move(values));
+    if (!u.empty()) graph.link(u, id + ".X");
+    if (!v.empty()) graph.link(v, id + ".Y");
+}
+
+void add_image(Graph& graph, const std::string& id, const TableInfo& table,
+               const std::string& position)
+{
+    graph.image(id, table.name);
+    graph.link(position + ".Vector", id + ".Vector");
+}
+
+/// Image nodes of the tables over the cosine, named as the tables; tables of one size share their
+/// coordinates.
 void add_tables(Graph& graph, const Context& context)
 {
     std::string cosine = add_cosine(graph);
     if (context.solid_index) cosine = add_ambient_cosine(graph, cosine, *context.solid_index);
-    std::set<std::string> coordinates;
     for (const TableInfo& table : context.tables) {
+        if (table.slices > 1 || table.quantity == "schlick_coefficients") continue;
         const std::string id = fmt::format("at_{}x{}", table.x.texels, table.y.texels);
-        if (coordinates.insert(id).second) add_coordinates(graph, id, table, cosine);
-        graph.image(table.name);
-        graph.link(id + "_uv.Vector", table.name + ".Vector");
+        if (graph.first(id)) {
+            const double w = table.x.texels;
+            multiply_add(graph, id + "_u", cosine, (w - 1.0) / w, 0.5 / w);
+            add_position(graph, id, id + "_u.Value", 0.0, add_row(graph, table));
+        }
+        add_image(graph, table.name, table, id);
     }
+}
+
+/// The same for rough tables: `low` and `high`, the shares of the image's width where the slices
+/// below and above the roughness begin, and `fraction`, where between them it lies. Below the first
+/// slice, `is_smooth`, the smooth table takes the place of the lower one.
+void add_level(Graph& graph, int slices)
+{
+    const auto math = [&graph](const std::string& id, const char* operation, const std::string& a,
+                               Json values, Json properties = Json::object()) {
+        properties["operation"] = operation;
+        graph.node(id, "ShaderNodeMath", std::move(properties), std::move(values));
+        graph.link(a, id + ".0");
+    };
+    const double n = slices;
+    math("held", "ADD", "input.roughness", {{"1", 0.0}}, {{"use_clamp", true}});
+    math("level", "MULTIPLY", "held.Value", {{"1", n}});
+    math("floor", "FLOOR", "level.Value", Json::object());
+    math("fraction", "SUBTRACT", "level.Value", Json::object());
+    graph.link("floor.Value", "fraction.1");
+    math("is_smooth", "LESS_THAN", "level.Value", {{"1", 1.0}});
+    multiply_add(graph, "lower", "floor.Value", 1.0 / n, -1.0 / n);
+    math("low", "MAXIMUM", "lower.Value", {{"1", 0.0}});
+    math("upper", "MULTIPLY", "floor.Value", {{"1", 1.0 / n}});
+    math("high", "MINIMUM", "upper.Value", {{"1", 1.0 - 1.0 / n}});
+}
+
+/// Positions `<id>_low` and `<id>_high` in a rough table.
+std::string add_slice_positions(Graph& graph, const Context& context, const TableInfo& table)
+{
+    std::string id = fmt::format("slices_{}x{}", table.x.texels, table.y.texels);
+    if (!graph.first(id)) return id;
+    if (graph.first("level")) add_level(graph, table.slices);
+    const double columns = table.x.texels, width = columns / table.slices;
+    const std::string cosine = context.solid_index ? "cos_ambient.Result_Float" : "cos.Value";
+    multiply_add(graph, id + "_in", cosine, (width - 1.0) / columns, 0.5 / columns);
+    const std::string row = add_row(graph, table);
+    for (const std::string end : {"low", "high"}) {
+        const std::string u = fmt::format("{}_u_{}", id, end);
+        graph.node(u, "ShaderNodeMath", {{"operation", "ADD"}});
+        graph.link(id + "_in.Value", u + ".0");
+        graph.link(end + ".Value", u + ".1");
+        add_position(graph, fmt::format("{}_{}", id, end), u + ".Value", 0.0, row);
+    }
+    return id;
+}
+
+/// Mix of two colours: sockets, or empty for black.
+std::string add_mix(Graph& graph, const std::string& id, const std::string& factor,
+                    const std::string& a, const std::string& b)
+{
+    Json values = Json::object();
+    if (a.empty()) values["A_Color"] = {0.0, 0.0, 0.0, 1.0};
+    if (b.empty()) values["B_Color"] = {0.0, 0.0, 0.0, 1.0};
+    graph.node(id, "ShaderNodeMix", {{"data_type", "RGBA"}, {"blend_type", "MIX"}},
+               std::move(values));
+    graph.link(factor, id + ".Factor_Float");
+    if (!a.empty()) graph.link(a, id + ".A_Color");
+    if (!b.empty()) graph.link(b, id + ".B_Color");
+    return id + ".Result_Color";
+}
+
+/// The colour of a rough table at the roughness; `smooth` is a socket, or empty for black.
+std::string add_roughened(Graph& graph, const Context& context, const TableInfo& table,
+                          const std::string& smooth)
+{
+    const std::string at = add_slice_positions(graph, context, table);
+    const std::string low = table.name + "_low", high = table.name + "_high";
+    add_image(graph, low, table, at + "_low");
+    add_image(graph, high, table, at + "_high");
+    const std::string below =
+        add_mix(graph, table.name + "_below", "is_smooth.Value", low + ".Color", smooth);
+    return add_mix(graph, table.name + "_mixed", "fraction.Value", below, high + ".Color");
+}
+
+/// The colour of one quantity and substrate, `R` or `R_bare`, at the roughness.
+std::string at_roughness(Graph& graph, const Context& context, const std::string& quantity,
+                         const std::string& suffix)
+{
+    const std::string smooth = quantity + suffix + ".Color";
+    const TableInfo* rough = find_table(context, quantity + "_rough" + suffix);
+    return rough ? add_roughened(graph, context, *rough, smooth) : smooth;
 }
 
 /// Output socket with the colour of R or T, faded to the bare substrate by the coverage.
 std::string faded(Graph& graph, const Context& context, const std::string& name)
 {
-    if (!find_table(context, name + "_bare")) return name + ".Color";
-    const std::string mix = name + "_faded";
-    graph.node(mix, "ShaderNodeMix", {{"data_type", "RGBA"}, {"blend_type", "MIX"}});
-    graph.link("input.coverage", mix + ".Factor_Float");
-    graph.link(name + "_bare.Color", mix + ".A_Color");
-    graph.link(name + ".Color", mix + ".B_Color");
-    return mix + ".Result_Color";
+    std::string film = at_roughness(graph, context, name, "");
+    if (!has_bare(context, name)) return film;
+    return add_mix(graph, name + "_faded", "input.coverage",
+                   at_roughness(graph, context, name, "_bare"), film);
 }
 
 /// A vector operation on colours; operands are sockets, or none where `values` has them.
@@ -213,6 +314,32 @@ Json glass_nodes(const Context& context)
     return graph.json();
 }
 
+/// The tables' colours into the script node, as it asks for them (looked_up_colours).
+void add_colours(Graph& graph, const Context& context)
+{
+    for (const TableInfo& table : context.tables) {
+        const auto feed = [&](const std::string& from, const std::string& name) {
+            graph.link(from, fmt::format("script.{}_in", name));
+        };
+        if (table.quantity == "schlick_coefficients") {
+            const std::string row = add_row(graph, table);
+            for (int k = 0; k < table.x.texels; ++k) {
+                const std::string id = fmt::format("{}_{}", table.name, k);
+                add_position(graph, id + "_at", "", (k + 0.5) / table.x.texels, row);
+                add_image(graph, id, table, id + "_at");
+                feed(id + ".Color", id);
+            }
+        } else if (table.name.starts_with("R_further")) {
+            feed(add_roughened(graph, context, table, ""), table.name);
+        } else if (table.slices == 1) {
+            const bool bare = table.name.ends_with("_bare");
+            const std::string quantity =
+                bare ? table.name.substr(0, table.name.size() - 5) : table.name;
+            feed(at_roughness(graph, context, quantity, bare ? "_bare" : ""), table.name);
+        }
+    }
+}
+
 }  // namespace
 
 Json osl_graph(const Context& context)
@@ -220,8 +347,7 @@ Json osl_graph(const Context& context)
     Graph graph;
     if (!context.tables.empty()) add_tables(graph, context);
     graph.node("script", "ShaderNodeScript");
-    for (const TableInfo& table : context.tables)
-        graph.link(table.name + ".Color", fmt::format("script.{}_in", table.name));
+    add_colours(graph, context);
     for (const Socket& socket : sockets(context))
         graph.link("input." + socket.name, fmt::format("script.{}", parameter_name(socket)));
     graph.link("script.BSDF", "output.BSDF");

@@ -35,6 +35,11 @@ std::string parameter(const Socket& socket)
     if (socket.type == "color")
         return fmt::format("    color {} = {}", socket.name, literal(socket.colour)) +
                metadata(socket.label, socket.description);
+    if (socket.type == "int")
+        return fmt::format("    int {} = {}", socket.name, static_cast<int>(socket.value)) +
+               metadata(socket.label, socket.description,
+                        fmt::format(", int min = {}, int max = {}", static_cast<int>(socket.min),
+                                    static_cast<int>(socket.max)));
     const std::string units =
         socket.unit == "1" ? "" : fmt::format(", string units = {}", quoted(socket.unit));
     return fmt::format("    float {} = {}", socket.name, literal(socket.value)) +
@@ -49,9 +54,9 @@ constexpr std::string_view kHidden = ", string widget = \"null\"";
 std::string film_parameters(const Context& context)
 {
     std::string result;
-    for (const TableInfo& table : context.tables) {
-        result += fmt::format(",\n    color {}_in = color(0.0)", table.name);
-        result += metadata(table.name + " Colour",
+    for (const std::string& name : looked_up_colours(context)) {
+        result += fmt::format(",\n    color {}_in = color(0.0)", name);
+        result += metadata(name + " Colour",
                            "Colour looked up outside; used where the table has no name");
     }
     for (const TableInfo& table : context.tables) {
@@ -83,25 +88,112 @@ std::string wavelength_parameters(const Context& context)
     return result;
 }
 
-std::string look_up(const TableInfo& table)
+std::string_view row_of(const TableInfo& table)
 {
-    const std::string y = table.y.texels == 1 ? "0.0" : "y";
+    return table.y.texels == 1 ? "0.0" : "y";
+}
+
+/// A table's colour at (x, y), or what was looked up outside under `name`.
+std::string look_up(const TableInfo& table, std::string_view name, std::string_view x = "x")
+{
     return fmt::format(
-        "nacre_film_colour(table_{0}, {0}_in, x, {1}, {2}.0, {3}.0, "
-        "table_origin_top)",
-        table.name, y, table.x.texels, table.y.texels);
+        "nacre_film_colour(table_{0}, {1}_in, {2}, {3}, {4}.0, {5}.0, table_origin_top)",
+        table.name, name, x, row_of(table), table.x.texels, table.y.texels);
+}
+
+/// Statements that mix slices of roughness over the smooth colour in the variable `name`.
+std::string roughen(const TableInfo& rough, std::string_view name)
+{
+    return fmt::format(
+        "    if (table_{0} != \"\")\n"
+        "        {1} = nacre_rough_table(table_{0}, {1}, level, x, {2}, {3}.0, {4}.0,\n"
+        "                                table_origin_top);\n",
+        rough.name, name, row_of(rough), rough.x.texels / rough.slices, rough.y.texels);
+}
+
+/// `color NAME = …;` of one quantity and substrate, with or without film.
+std::string colour_of(const Context& context, const std::string& quantity,
+                      const std::string& suffix)
+{
+    const std::string name = quantity + suffix;
+    std::string result =
+        fmt::format("    color {} = {};\n", name, look_up(*find_table(context, name), name));
+    if (const TableInfo* rough = find_table(context, quantity + "_rough" + suffix))
+        result += roughen(*rough, name);
+    return result;
+}
+
+/// Statement that fades the colour NAME to NAME_bare by the coverage.
+std::string fade(std::string_view name)
+{
+    return fmt::format("    {0} = mix({0}_bare, {0}, clamp(coverage, 0.0, 1.0));\n", name);
 }
 
 /// `color R = …;`, faded to the bare substrate where the material has coverage.
 std::string film_colour(const Context& context, const std::string& name)
 {
-    const TableInfo* table = find_table(context, name);
-    const TableInfo* bare = find_table(context, name + "_bare");
-    std::string result = fmt::format("    color {} = {};\n", name, look_up(*table));
-    if (bare)
-        result += fmt::format("    {0} = mix({1}, {0}, clamp(coverage, 0.0, 1.0));\n", name,
-                              look_up(*bare));
+    std::string result = colour_of(context, name, "");
+    if (has_bare(context, name)) result += colour_of(context, name, "_bare") + fade(name);
     return result;
+}
+
+/// What leaves a rough surface after two and more bounces.
+std::string further_colour(const Context& context)
+{
+    std::string result;
+    for (const std::string suffix : {"", "_bare"}) {
+        const TableInfo* table = find_table(context, "R_further" + suffix);
+        if (!table) continue;
+        const std::string name = "R_further" + suffix;
+        result += fmt::format("    color {0} = table_{0} == \"\" ? {0}_in : color(0.0);\n", name) +
+                  roughen(*table, name);
+    }
+    if (find_table(context, "R_further_bare")) result += fade("R_further");
+    return result;
+}
+
+/// One lobe for each power of the film's reflectance; the first has the further bounces too.
+std::string power_lobes(const Context& context)
+{
+    const TableInfo& table = *find_table(context, "R_schlick");
+    const SchlickTerms& terms = context.schlick.value();
+    const double last = table.x.texels - 1;
+    std::string result;
+    for (std::size_t k = 0; k < terms.exponents.size(); ++k) {
+        const std::string at = literal(static_cast<double>(k) / last);
+        std::string colour = look_up(table, fmt::format("R_schlick_{}", k), at);
+        if (find_table(context, "R_bare"))
+            colour = fmt::format("mix(color({}), {}, clamp(coverage, 0.0, 1.0))",
+                                 literal(terms.bare[k]), colour);
+        if (k == 0) colour += " + R_further";
+        result += fmt::format("    BSDF = nacre_power_lobe(surface_normal, {}, {}, alpha){};\n",
+                              colour, literal(terms.exponents[k]), k == 0 ? "" : " + BSDF");
+    }
+    return result;
+}
+
+/// The statements four columns further to the right.
+std::string indented(std::string_view statements)
+{
+    std::string result;
+    bool starts = true;
+    for (const char c : statements) {
+        if (starts) result += "    ";
+        result += c;
+        starts = c == '\n';
+    }
+    return result;
+}
+
+/// The lobe of the film itself.
+std::string reflection(const Context& context)
+{
+    std::string tinted = "    BSDF = nacre_reflection(surface_normal, R, roughness);\n";
+    if (!context.schlick) return tinted;
+    return "    if (exact_rough && level >= 1.0) {\n" +
+           indented(further_colour(context) + "    float alpha = roughness * roughness;\n" +
+                    power_lobes(context)) +
+           "    } else {\n" + indented(tinted) + "    }\n";
 }
 
 /// What becomes of the light that passes the film.
@@ -109,22 +201,22 @@ std::string below_the_film(const Context& context)
 {
     switch (context.source->interior()) {
         case material::Interior::opaque:
-            return "    BSDF = nacre_reflection(surface_normal, R, roughness);\n";
+            return reflection(context);
         case material::Interior::thin_wall:
-            return film_colour(context, "T") +
-                   "    BSDF = nacre_reflection(surface_normal, R, roughness);\n"
+            return film_colour(context, "T") + reflection(context) +
                    "    BSDF = T * transparent() + BSDF;\n";
         case material::Interior::solid:
             return film_colour(context, "T") +
+                   (has_bare(context, "R") ? "" : colour_of(context, "R", "_bare")) +
                    fmt::format(
-                       "    BSDF = nacre_coated_glass(surface_normal, roughness, {}, R, T);\n",
+                       "    BSDF = nacre_coated_glass(surface_normal, roughness, {}, R, T, "
+                       "R_bare);\n",
                        literal(context.solid_index.value()));
         case material::Interior::diffuse:
             return film_colour(context, "T") + film_colour(context, "R_inner") +
                    film_colour(context, "T_inner") +
-                   "    color base = T * nacre_base_colour(base_colour, R_inner, T_inner);\n"
-                   "    BSDF = nacre_reflection(surface_normal, R, roughness);\n"
-                   "    BSDF = base * diffuse(surface_normal) + BSDF;\n";
+                   "    color base = T * nacre_base_colour(base_colour, R_inner, T_inner);\n" +
+                   reflection(context) + "    BSDF = base * diffuse(surface_normal) + BSDF;\n";
     }
     return "";
 }
@@ -139,6 +231,7 @@ std::string film_body(const Context& context)
     if (axis.texels > 1)
         body += fmt::format("    float y = ({} - {}) / {};\n", axis.name, literal(axis.min),
                             literal(axis.max - axis.min));
+    body += "    float level = nacre_level(roughness);\n";
     return body + film_colour(context, "R") + below_the_film(context);
 }
 
@@ -171,7 +264,7 @@ std::string glass_body(const Context& context)
 std::string includes(const Context& context)
 {
     if (std::holds_alternative<material::StackSpec>(context.source->kind))
-        return fmt::format("#include \"nacre/{}\"\n#include \"nacre/nacre_table.h\"\n",
+        return fmt::format("#include \"nacre/nacre_rough.h\"\n#include \"nacre/{}\"\n",
                            context.solid_index ? "nacre_coated_glass.h" : "nacre_surface.h");
     if (std::holds_alternative<material::GratingSpec>(context.source->kind))
         return "#include \"nacre/nacre_disc.h\"\n";
@@ -192,6 +285,26 @@ std::string body(const Context& context)
 std::string_view parameter_name(const Socket& socket)
 {
     return socket.type == "normal" ? "surface_normal" : std::string_view(socket.name);
+}
+
+std::vector<std::string> looked_up_colours(const Context& context)
+{
+    std::vector<std::string> names;
+    for (const TableInfo& table : context.tables) {
+        if (table.name == "R_schlick") {
+            for (int k = 0; k < table.x.texels; ++k)
+                names.push_back(fmt::format("R_schlick_{}", k));
+        } else if (!table.name.starts_with("R_rough") && !table.name.starts_with("T_rough")) {
+            names.push_back(table.name);
+        }
+    }
+    return names;
+}
+
+bool has_bare(const Context& context, std::string_view name)
+{
+    return context.source->parameter("coverage") != nullptr &&
+           find_table(context, std::string(name) + "_bare") != nullptr;
 }
 
 const TableInfo* find_table(const Context& context, std::string_view name)

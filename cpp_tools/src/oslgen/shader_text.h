@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "nacre/oslgen/material_program.h"
 
@@ -17,5 +18,12 @@ namespace nacre::oslgen {
 
 /// Table of that name, or nothing.
 [[nodiscard]] const TableInfo* find_table(const Context& context, std::string_view name);
+
+/// Names of the colours that the node graph may look up for the shader: one for each table but the
+/// rough ones, which are mixed into the smooth, and one for each coefficient of R_schlick.
+[[nodiscard]] std::vector<std::string> looked_up_colours(const Context& context);
+
+/// Whether the coverage fades `name` to the bare substrate.
+[[nodiscard]] bool has_bare(const Context& context, std::string_view name);
 
 }  // namespace nacre::oslgen

@@ -111,6 +111,13 @@ std::vector<Socket> sockets(const Context& context)
         add_glass(result);
     result.push_back(share("roughness", "Roughness", "0: mirror; GGX alpha is the square",
                            source.surface.roughness));
+    if (context.schlick)
+        result.push_back({.name = "exact_rough",
+                          .label = "Exact Rough (OSL)",
+                          .type = "int",
+                          .unit = "1",
+                          .description = "1: the film's colour at each microfacet, in twice the "
+                                         "time; 0: their mean. OSL only, from roughness 0.1 on"});
     apply_parameters(source, result);
     result.push_back({.name = "normal",
                       .label = "Normal",

@@ -8,6 +8,8 @@
 
 #include "media.h"
 #include "nacre/lut/inner_tables.h"
+#include "nacre/lut/rough_tables.h"
+#include "nacre/lut/schlick_fit.h"
 #include "nacre/oslgen/material_program.h"
 #include "nacre/pipeline/shader_tables.h"
 #include "nacre/spectral/wavelength_sampling.h"
@@ -78,17 +80,26 @@ oslgen::TableInfo table_info(const lut::Table& table, const std::string& id)
             .y = axis_info(table.y),
             .error_max = table.error_max,
             .error_mean = table.error_mean,
-            .lowest = *std::ranges::min_element(table.texels)};
+            .lowest = *std::ranges::min_element(table.texels),
+            .error_unit = table.error_unit,
+            .slices = table.slices};
 }
 
-/// R, and what light needs that goes on below the film.
-std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request, bool diffuse_base)
+/// R, and what light needs that goes on below the film, smooth and rough.
+std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request, material::Interior below)
 {
     lut::FilmTables baked = lut::bake_film_tables(request);
+    lut::RoughTables rough = lut::bake_rough_tables(
+        request, baked, below == material::Interior::solid ? lut::Bounces::one : lut::Bounces::all);
     const int height = baked.reflectance.y.texels;
-    std::vector<lut::Table> tables{std::move(baked.reflectance)};
-    if (baked.transmittance) tables.push_back(std::move(*baked.transmittance));
-    if (diffuse_base) {
+    std::vector<lut::Table> tables{std::move(baked.reflectance), std::move(rough.reflectance)};
+    const auto add = [&tables](std::optional<lut::Table>& table) {
+        if (table) tables.push_back(std::move(*table));
+    };
+    add(rough.further);
+    add(baked.transmittance);
+    add(rough.transmittance);
+    if (below == material::Interior::diffuse) {
         lut::InnerTables inner = lut::bake_inner_tables(request, height);
         tables.push_back(std::move(inner.reflectance));
         tables.push_back(std::move(inner.transmittance));
@@ -97,10 +108,11 @@ std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request, bool d
 }
 
 /// Problems of the bake belong to the template as a whole.
-std::vector<lut::Table> bake(const lut::FilmTableRequest& request, const MaterialTemplate& source)
+template <class Bake>
+auto bake(const MaterialTemplate& source, Bake&& work)
 {
     try {
-        return film_tables(request, source.surface.diffuse_base.has_value());
+        return work();
     } catch (const InputError& error) {
         std::vector<Diagnostic> problems(error.diagnostics().begin(), error.diagnostics().end());
         for (Diagnostic& problem : problems)
@@ -109,20 +121,49 @@ std::vector<lut::Table> bake(const lut::FilmTableRequest& request, const Materia
     }
 }
 
-std::vector<lut::Table> bake_all(const MaterialTemplate& source, const CompileOptions& options)
+/// Tables of the substrate alone: all of them where coverage fades the film, and R where a lobe of
+/// clear glass brings its own Fresnel reflectance along.
+void add_bare_tables(lut::FilmTableRequest request, const MaterialTemplate& source,
+                     std::vector<lut::Table>& tables)
 {
-    lut::FilmTableRequest request = film_request(source, options);
-    std::vector<lut::Table> tables = bake(request, source);
-    if (!source.parameter("coverage")) return tables;
-
+    const bool fades = source.parameter("coverage") != nullptr;
+    if (!fades && source.interior() != material::Interior::solid) return;
     request.stack.layers.clear();
     request.variation.reset();
     request.progress = nullptr;
-    for (lut::Table& table : bake(request, source)) {
+    for (lut::Table& table : film_tables(request, source.interior())) {
+        if (!fades && table.quantity != "reflectance") continue;
         table.name += "_bare";
         tables.push_back(std::move(table));
     }
-    return tables;
+}
+
+oslgen::SchlickTerms schlick_terms(lut::SchlickFit& fit)
+{
+    return {.exponents = std::move(fit.exponents),
+            .bare = std::move(fit.bare),
+            .error_max = fit.error_max,
+            .error_rms = fit.error_rms};
+}
+
+struct FilmBake {
+    std::vector<lut::Table> tables;
+    std::optional<oslgen::SchlickTerms> schlick;
+};
+
+FilmBake bake_all(const MaterialTemplate& source, const CompileOptions& options)
+{
+    const lut::FilmTableRequest request = film_request(source, options);
+    return bake(source, [&] {
+        FilmBake result{.tables = film_tables(request, source.interior()), .schlick = {}};
+        if (source.interior() != material::Interior::solid) {
+            lut::SchlickFit fit = lut::fit_schlick(request, result.tables.front());
+            result.tables.push_back(std::move(fit.coefficients));
+            result.schlick = schlick_terms(fit);
+        }
+        add_bare_tables(request, source, result.tables);
+        return result;
+    });
 }
 
 oslgen::WavelengthTable wavelength_table(const spectral::ColourWeights& weights)
@@ -212,7 +253,9 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
         context.wavelengths = wavelength_table(weights);
         context.glass = glass_index(*glass, source.file, weights);
     } else {
-        result.tables = bake_all(source, options);
+        FilmBake baked = bake_all(source, options);
+        result.tables = std::move(baked.tables);
+        context.schlick = std::move(baked.schlick);
         for (const lut::Table& table : result.tables)
             context.tables.push_back(table_info(table, source.id));
         if (source.interior() == material::Interior::solid)

@@ -122,4 +122,18 @@ inline double delta_e(const FilmTableRequest& asked, const spectral::Vec3& a,
     return spectral::delta_e_2000(lab(a), lab(b));
 }
 
+/// Mean and largest of many errors.
+struct Errors {
+    double max = 0.0, sum = 0.0;
+    int count = 0;
+
+    void add(double error)
+    {
+        max = std::max(max, error);
+        sum += error;
+        ++count;
+    }
+    [[nodiscard]] double mean() const { return sum / count; }
+};
+
 }  // namespace nacre::lut::test

@@ -158,8 +158,8 @@ TEST(MaterialProgram, GraphMapsAxesToTexelCentres)
     EXPECT_DOUBLE_EQ(mapped("at_64x512_u", 0.0), 0.5 / 64);
     EXPECT_DOUBLE_EQ(mapped("at_64x512_u", 1.0), 63.5 / 64);
     // Row 0, the top of the image, is the minimum; v = 0 is the bottom.
-    EXPECT_NEAR(mapped("at_64x512_v", 100.0), 511.5 / 512, 1e-15);
-    EXPECT_NEAR(mapped("at_64x512_v", 1500.0), 0.5 / 512, 1e-15);
+    EXPECT_NEAR(mapped("row_of_512", 100.0), 511.5 / 512, 1e-15);
+    EXPECT_NEAR(mapped("row_of_512", 1500.0), 0.5 / 512, 1e-15);
 }
 
 TEST(MaterialProgram, GlassCarriesItsWavelengthsAndLines)

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -11,6 +12,7 @@
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
+#include "nacre/optics/microfacet.h"
 
 namespace nacre::pipeline {
 namespace {
@@ -64,7 +66,11 @@ TEST(Compile, EveryShippedTemplateCompiles)
             EXPECT_EQ(manifest["tables"][i]["name"], table.name);
             EXPECT_EQ(manifest["tables"][i]["width"], table.x.texels);
             EXPECT_EQ(manifest["tables"][i]["height"], table.y.texels);
-            EXPECT_LE(table.error_max, quick().tolerance) << path << ' ' << table.name;
+            if (table.slices > 1) {
+                EXPECT_LE(table.error_mean, 0.5) << path << ' ' << table.name;
+            } else if (table.error_unit == "dE00") {
+                EXPECT_LE(table.error_max, quick().tolerance) << path << ' ' << table.name;
+            }
         }
         EXPECT_NE(result.osl.find("shader nacre_" + result.id), std::string::npos);
     }
@@ -85,11 +91,18 @@ CompiledMaterial compiled(const std::string& toml)
     return compile(material::parse_template(toml, "t.toml"), quick());
 }
 
+std::vector<std::string> names(const CompiledMaterial& material)
+{
+    std::vector<std::string> result;
+    for (const lut::Table& table : material.tables) result.push_back(table.name);
+    return result;
+}
+
 TEST(Compile, FilmOnSolidGlassRefracts)
 {
     const CompiledMaterial result = compiled(kOnGlass + "transmission = true\n");
-    ASSERT_EQ(result.tables.size(), 2u);
-    EXPECT_EQ(result.tables[1].name, "T");
+    EXPECT_EQ(names(result),
+              (std::vector<std::string>{"R", "R_rough", "T", "T_rough", "R_bare", "R_rough_bare"}));
     EXPECT_NE(result.osl.find("nacre_coated_glass(surface_normal, roughness, 1.5168"),
               std::string::npos);
     const Json manifest = Json::parse(result.manifest);
@@ -108,14 +121,44 @@ TEST(Compile, FilmOverAMattBaseHasItsInnerTables)
         compiled(kOnGlass +
                  "diffuse_base = [0.8, 0.5, 0.25]\n[[parameter]]\nname = \"coverage\"\n"
                  "label = \"Coverage\"\ndefault = 1\n");
-    std::vector<std::string> names;
-    for (const lut::Table& table : result.tables) names.push_back(table.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"R", "T", "R_inner", "T_inner", "R_bare", "T_bare",
-                                               "R_inner_bare", "T_inner_bare"}));
-    EXPECT_EQ(result.tables[2].y.texels, result.tables[0].y.texels);
+    EXPECT_EQ(names(result), (std::vector<std::string>{
+                                 "R", "R_rough", "R_further", "T", "T_rough", "R_inner", "T_inner",
+                                 "R_schlick", "R_bare", "R_rough_bare", "R_further_bare", "T_bare",
+                                 "T_rough_bare", "R_inner_bare", "T_inner_bare"}));
+    EXPECT_EQ(result.tables[5].y.texels, result.tables[0].y.texels);
     const Json sockets = Json::parse(result.manifest)["sockets"];
     EXPECT_EQ(sockets[2]["name"], "base_colour");
     EXPECT_EQ(sockets[2]["default"], Json({0.8, 0.5, 0.25}));
+}
+
+/// Luminance of a texel; light is counted by it, since channels may exceed 1 outside the gamut.
+double luminance(const lut::Table& table, std::size_t texel)
+{
+    const float* rgb = &table.texels[3 * texel];
+    return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2];
+}
+
+TEST(Compile, RoughFilmsMakeNoLight)
+{
+    for (const char* id : {"soap_film", "dichroic_mirror", "tempered_steel", "oil_on_water"}) {
+        const CompiledMaterial result = compile(shipped(id), quick());
+        const auto find = [&result](const char* name) {
+            const auto it = std::ranges::find(result.tables, name, &lut::Table::name);
+            return it == result.tables.end() ? nullptr : &*it;
+        };
+        const lut::Table &R = *find("R_rough"), *T = find("T_rough");
+        const int width = R.x.texels / R.slices;
+        for (int i = 0; i < R.x.texels; i += 3) {
+            const double roughness = (i / width + 1.0) / R.slices;
+            const double albedo = optics::ggx_albedo(static_cast<double>(i % width) / (width - 1),
+                                                     roughness * roughness);
+            for (int y = 0; y < R.y.texels; y += 7) {
+                const auto texel = static_cast<std::size_t>(y * R.x.texels + i);
+                const double passed = T ? luminance(*T, texel) : 0.0;
+                EXPECT_LE(albedo * luminance(R, texel) + passed, 1.0 + 1e-3) << id;
+            }
+        }
+    }
 }
 
 TEST(Compile, LightCannotGoOnInAMetal)
@@ -131,20 +174,18 @@ TEST(Compile, SoapFilmHasFadingTablesOfBothSides)
 {
     const CompiledMaterial result = compile(shipped("soap_film"), quick());
 
-    ASSERT_EQ(result.tables.size(), 4u);
-    EXPECT_EQ(result.tables[0].name, "R");
-    EXPECT_EQ(result.tables[1].name, "T");
-    EXPECT_EQ(result.tables[2].name, "R_bare");
-    EXPECT_EQ(result.tables[3].name, "T_bare");
-    EXPECT_EQ(result.tables[2].y.texels, 1);
-    for (const float value : result.tables[2].texels) EXPECT_NEAR(value, 0.0, 1e-7);
-    for (const float value : result.tables[3].texels) EXPECT_NEAR(value, 1.0, 1e-6);
+    EXPECT_EQ(names(result), (std::vector<std::string>{
+                                 "R", "R_rough", "R_further", "T", "T_rough", "R_schlick", "R_bare",
+                                 "R_rough_bare", "R_further_bare", "T_bare", "T_rough_bare"}));
+    EXPECT_EQ(result.tables[6].y.texels, 1);
+    for (const float value : result.tables[6].texels) EXPECT_NEAR(value, 0.0, 1e-7);
+    for (const float value : result.tables[9].texels) EXPECT_NEAR(value, 1.0, 1e-6);
 }
 
 TEST(Compile, ClearFilmLosesNoLight)
 {
     const CompiledMaterial result = compile(shipped("soap_film"), quick());
-    const lut::Table &r = result.tables[0], &t = result.tables[1];
+    const lut::Table &r = result.tables[0], &t = result.tables[3];
     ASSERT_EQ(r.texels.size(), t.texels.size());
     for (std::size_t i = 0; i < r.texels.size(); ++i)
         EXPECT_NEAR(r.texels[i] + t.texels[i], 1.0, 1e-5);

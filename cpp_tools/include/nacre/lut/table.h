@@ -27,7 +27,10 @@ struct Table {
     /// ΔE00 between texels against the exact value for angles up to 87° (cosθ ≥ 0.05): largest
     /// probe.
     double error_max = 0.0;
-    double error_mean = 0.0;  ///< the same, mean over the probes
+    double error_mean = 0.0;          ///< the same, mean over the probes
+    std::string error_unit = "dE00";  ///< `1`: of the numbers themselves
+    /// Of a third axis, roughness: so many tables side by side along x, see rough_tables.h.
+    int slices = 1;
 };
 
 }  // namespace nacre::lut

@@ -18,10 +18,10 @@ namespace nacre::oslgen {
 struct Socket {
     std::string name;   ///< lives in saved files: never rename one
     std::string label;  ///< with the unit in it: `Thickness (nm)`
-    std::string type;   ///< `float`, `color`, `normal`
+    std::string type;   ///< `float`, `int`, `color`, `normal`
     std::string unit;   ///< `nm`, `1`, …
     std::string description;
-    double value = 0.0, min = 0.0, max = 1.0;     ///< of float
+    double value = 0.0, min = 0.0, max = 1.0;     ///< of float and int
     std::array<double, 3> colour{1.0, 1.0, 1.0};  ///< default of color
 };
 
@@ -36,6 +36,8 @@ struct TableInfo {
     Axis x, y;
     double error_max, error_mean;
     double lowest;  ///< of all texels and channels; below 0 where a colour is out of the gamut
+    std::string error_unit = "dE00";
+    int slices = 1;  ///< of roughness, side by side along x: see lut/rough_tables.h
 };
 
 /// λ(u) and its weights, see spectral/wavelength_sampling.h (oslgen does not see that module).
@@ -52,6 +54,14 @@ struct GlassIndex {
     double n_F, n_d, n_C;
 };
 
+/// Reflectance as a sum of powers over the facet's cosine, see lut/schlick_fit.h; the coefficients
+/// of the film are in the table `R_schlick`.
+struct SchlickTerms {
+    std::vector<double> exponents;
+    std::vector<std::array<double, 3>> bare;  ///< coefficients without a film
+    double error_max, error_rms;
+};
+
 /// What the shader of a grating needs beyond the template.
 struct GratingColours {
     std::array<double, 3> tint;  ///< reflectance of the metal under its cover
@@ -65,7 +75,8 @@ struct Context {
     std::optional<WavelengthTable> wavelengths;  ///< of gratings and glasses
     std::optional<GlassIndex> glass;
     std::optional<GratingColours> grating;
-    std::optional<double> solid_index;  ///< of a film on clear glass: relative, at the d line
+    std::optional<SchlickTerms> schlick;  ///< of films whose lobe is not that of clear glass
+    std::optional<double> solid_index;    ///< of a film on clear glass: relative, at the d line
     std::string space, illuminant, observer;
 };
 

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "nacre/lut/film_table.h"
+
+/// @file
+/// Films on rough surfaces of GGX microfacets, as tints of the one lobe that a renderer has for
+/// them.
+
+namespace nacre::lut {
+
+/// Roughness (GGX alpha is its square) of the slices of a rough table: 1/n, 2/n … 1, side by side
+/// along x, each over cos_theta from 0 to 1. The smooth table is the slice of roughness 0. A shader
+/// interpolates linearly between the slices, as within them.
+inline constexpr int kRoughSlices = 10;
+
+/// Whether light that meets facets more than once is counted.
+enum class Bounces {
+    one,
+    all,  ///< each wavelength by itself, as walk_microsurface() finds it
+};
+
+/// Tints of a lobe whose single-scattering albedo E(θ, α) the renderer brings along.
+struct RoughTables {
+    /// `R_rough`: the mean over the facets that a view sees, weighted by the light that gets out;
+    /// with all bounces also what leaves after two and more, divided by E.
+    Table reflectance;
+    /// `T_rough`: the mean over the facets; with all bounces also what other facets pass of the
+    /// light that the first ones reflected, so that a clear wall keeps all light: E R + T = 1.
+    std::optional<Table> transmittance;
+    /// `R_further`: what leaves after two and more bounces alone, divided by E; with all bounces.
+    std::optional<Table> further;
+};
+
+/// @param smooth  the tables of the same request: they give the number of columns that means are
+///                taken over, and the size
+/// @throws InputError when the stack is not valid
+[[nodiscard]] RoughTables bake_rough_tables(const FilmTableRequest& request,
+                                            const FilmTables& smooth, Bounces bounces);
+
+}  // namespace nacre::lut

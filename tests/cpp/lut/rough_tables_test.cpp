@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/lut/rough_tables.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "films.h"
+#include "nacre/optics/microfacet.h"
+#include "rough_truth.h"
+
+namespace nacre::lut {
+namespace {
+
+using test::constant;
+
+/// 100 … 400 nm of a clear oxide on a metal.
+FilmTableRequest oxide_on_metal()
+{
+    return test::request(constant(1.0), {{constant(2.2), 100.0, true}}, constant({2.7, 3.3}),
+                         Variation{0, 100.0, 400.0});
+}
+
+spectral::Vec3 texel(const Table& table, int slice, int x, int y)
+{
+    const int width = table.x.texels / table.slices;
+    const auto i = static_cast<std::size_t>(3 * (y * table.x.texels + slice * width + x));
+    return {table.texels[i], table.texels[i + 1], table.texels[i + 2]};
+}
+
+TEST(RoughTables, SlicesLieSideBySide)
+{
+    const FilmTableRequest request = oxide_on_metal();
+    const FilmTables smooth = bake_film_tables(request);
+    const RoughTables rough = bake_rough_tables(request, smooth, Bounces::all);
+    const Table& table = rough.reflectance;
+    EXPECT_EQ(table.name, "R_rough");
+    EXPECT_EQ(table.slices, kRoughSlices);
+    EXPECT_EQ(table.x.texels % kRoughSlices, 0);
+    EXPECT_FALSE(rough.transmittance);
+    EXPECT_LT(table.texels.size(), smooth.reflectance.texels.size());
+    std::printf("smooth %d x %d, rough %d x %d, dE00 mean %.3f max %.3f\n",
+                smooth.reflectance.x.texels, smooth.reflectance.y.texels, table.x.texels,
+                table.y.texels, table.error_mean, table.error_max);
+    EXPECT_LT(table.error_mean, 0.15);
+    EXPECT_LT(table.error_max, 1.5);
+}
+
+/// The whole of the fast technique, between the texels too, against light that walks.
+TEST(RoughTables, TintedLobesAgreeWithLightThatWalks)
+{
+    const FilmTableRequest request = oxide_on_metal();
+    const FilmTables smooth = bake_film_tables(request);
+    const Table table = bake_rough_tables(request, smooth, Bounces::all).reflectance;
+    test::Errors errors;
+    for (const int row : {2, table.y.texels / 2, table.y.texels - 3}) {
+        const test::RoughTruth truth(request, table.y.at(row));
+        for (const int slice : {1, 4, 6, 8})
+            for (const double along : {0.3, 0.6, 0.95}) {
+                const int width = table.x.texels / table.slices;
+                const int x = static_cast<int>(std::lround(along * (width - 1)));
+                const double cos_theta = static_cast<double>(x) / (width - 1);
+                const double roughness = (slice + 1.0) / kRoughSlices;
+                const double alpha = roughness * roughness;
+                const double albedo = optics::ggx_albedo(cos_theta, alpha);
+                spectral::Vec3 colour = texel(table, slice, x, row);
+                for (double& channel : colour) channel *= albedo;
+                errors.add(test::delta_e(request, colour,
+                                         truth.albedo(cos_theta, {alpha, alpha}, 20'000).all));
+            }
+    }
+    std::printf("dE00 mean %.3f max %.3f\n", errors.mean(), errors.max);
+    EXPECT_LT(errors.mean(), 1.0);
+}
+
+TEST(RoughTables, ClearWallsKeepAllLight)
+{
+    auto request = test::request(constant(1.0), {{constant(1.33), 100.0, true}}, constant(1.0),
+                                 Variation{0, 100.0, 600.0});
+    request.transmittance = true;
+    const FilmTables smooth = bake_film_tables(request);
+    const RoughTables once = bake_rough_tables(request, smooth, Bounces::one);
+    const RoughTables all = bake_rough_tables(request, smooth, Bounces::all);
+    EXPECT_FALSE(once.further);
+    const int width = all.reflectance.x.texels / kRoughSlices;
+    for (std::size_t i = 0; i < once.reflectance.texels.size(); ++i) {
+        ASSERT_NEAR(once.reflectance.texels[i] + once.transmittance->texels[i], 1.0, 1e-5);
+        const int column = static_cast<int>(i / 3) % all.reflectance.x.texels;
+        const double roughness = (column / width + 1.0) / kRoughSlices;
+        if (i % 997 != 0) continue;
+        const double E = optics::ggx_albedo(static_cast<double>(column % width) / (width - 1),
+                                            roughness * roughness);
+        ASSERT_NEAR(E * all.reflectance.texels[i] + all.transmittance->texels[i], 1.0, 1e-5);
+    }
+}
+
+}  // namespace
+}  // namespace nacre::lut

@@ -1,0 +1,137 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Rough films on the furnace sphere against light that walks among the facets."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+import pytest
+from harness import delta_e
+from rough_truth import furnace_colours
+from truth import exact_colours, material_template, pixel_cosines
+
+SIZE, SAMPLES = 10, 4096
+ROUGHNESSES = (0.15, 0.35, 0.6, 0.9)
+CASES = [
+    (material, value, roughness)
+    for material, value in (
+        ("anodised_titanium", 52.0),
+        ("jewel_beetle", 1.0),
+        ("tempered_steel", 48.0),
+    )
+    for roughness in ROUGHNESSES
+]
+# form, exact_rough
+WAYS = (("osl", 0), ("osl", 1), ("nodes", 0))
+SOCKETS = {"jewel_beetle": "thickness_scale"}
+# What 4096 samples of a pixel leave of noise is among it: up to 0.15 where the surface is roughest.
+LIMIT = 0.3
+IN_GAMUT = -1e-4
+
+
+@lru_cache
+def truth(material: str, value: float, roughness: float) -> np.ndarray:
+    cosines, counted = pixel_cosines(SIZE)
+    distinct, inverse = np.unique(np.round(cosines[counted], 12), return_inverse=True)
+    alpha = roughness**2
+    return furnace_colours(material_template(material), value, distinct, (alpha, alpha))[inverse]
+
+
+def job(material: str, value: float, roughness: float, form: str, exact: int) -> dict:
+    return {
+        "material": material,
+        "values": {
+            SOCKETS.get(material, "thickness_nm"): value,
+            "roughness": roughness,
+            "exact_rough": exact,
+        },
+        "form": form,
+        "lit": "all",
+        "size": SIZE,
+        "samples": SAMPLES,
+    }
+
+
+@pytest.fixture(scope="module")
+def furnaces(blender):
+    jobs = [job(*case, *way) for case in CASES for way in WAYS]
+    pictures = blender.run("furnace_worker.py", jobs)
+    keys = [(*case, *way) for case in CASES for way in WAYS]
+    return dict(zip(keys, pictures, strict=True))
+
+
+@pytest.mark.parametrize(("form", "exact"), WAYS)
+@pytest.mark.parametrize(("material", "value", "roughness"), CASES)
+def test_rough_film(furnaces, material, value, roughness, form, exact, record_property):
+    _, counted = pixel_cosines(SIZE)
+    picture = furnaces[material, value, roughness, form, exact][counted]
+    expected = truth(material, value, roughness)
+    if form == "nodes":
+        inside = expected.min(axis=1) > IN_GAMUT
+        picture, expected = picture[inside], expected[inside]
+    errors = delta_e(picture, expected)
+    record_property("dE00", f"mean {errors.mean():.3f}, max {errors.max():.3f}")
+    print(f"dE00 mean {errors.mean():.3f}, max {errors.max():.3f} of {errors.size} pixels")
+    assert errors.mean() <= LIMIT
+
+
+@pytest.mark.parametrize(("form", "exact"), WAYS)
+@pytest.mark.parametrize("roughness", [0.3, 0.8])
+def test_clear_films_keep_all_light(blender, roughness, form, exact):
+    """What the facets reflect and what they pass, further bounces among it, is what came."""
+    (picture,) = blender.run("furnace_worker.py", [job("soap_film", 400.0, roughness, form, exact)])
+    _, counted = pixel_cosines(SIZE)
+    mean = picture[counted].mean(axis=0)
+    print("mean", mean)
+    np.testing.assert_allclose(mean, 1.0, atol=2e-3 if exact else 1e-3)
+
+
+ANGLES = (40.0, 80.0, 130.0)
+
+
+@pytest.fixture(scope="module")
+def lit(blender):
+    """Highlights of one sharp light over those of a white surface, (material, exact, angle)."""
+    ways = [("anodised_titanium", exact) for exact in (0, 1)] + [(None, 0)]
+    jobs = [
+        {
+            **job(material, 52.0, 0.2, "osl", exact),
+            "lit": "sun",
+            "angle": angle,
+            "size": 48,
+            "samples": 16,
+        }
+        for material, exact in ways
+        for angle in ANGLES
+    ]
+    # Towards grazing views further bounces, which a white Glossy does not have, are not nothing.
+    inner = pixel_cosines(48, 0.1)[1][..., None]
+    pictures = iter(blender.run("furnace_worker.py", jobs))
+    pictures = {(*way, angle): next(pictures) for way in ways for angle in ANGLES}
+    return {
+        (exact, angle): np.where(
+            (white > 0.02) & inner, pictures[material, exact, angle] / white, np.nan
+        )
+        for material, exact in ways[:2]
+        for angle in ANGLES
+        for white in [np.maximum(pictures[None, 0, angle], 1e-9)]
+    }
+
+
+@pytest.mark.parametrize("angle", ANGLES)
+def test_highlight_has_the_colour_of_its_facets(lit, angle):
+    """Every facet that mirrors the light to the camera meets it at half their angle."""
+    facet = exact_colours(
+        material_template("anodised_titanium"), 52.0, np.cos(np.radians([angle / 2]))
+    )["R"]
+    exact = lit[1, angle].reshape(-1, 3)
+    exact = exact[np.isfinite(exact).all(axis=1)]
+    fast = lit[0, angle].reshape(-1, 3)
+    fast = fast[np.isfinite(fast).all(axis=1)]
+    errors = delta_e(exact, np.broadcast_to(facet, exact.shape))
+    print(f"exact mean {errors.mean():.3f}, max {errors.max():.3f} of {len(exact)} pixels")
+    print("fast mean", delta_e(fast, np.broadcast_to(facet, fast.shape)).mean())
+    assert errors.mean() <= 0.3
+    assert errors.mean() < delta_e(fast, np.broadcast_to(facet, fast.shape)).mean()
