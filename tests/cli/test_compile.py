@@ -65,11 +65,19 @@ def test_manifest_and_tables_agree(nacre, film, tmp_path):
     assert manifest["id"] == "test_film"
     assert (folder / "test_film.osl").read_text().count("shader") >= 1
     assert stat.S_IMODE(folder.stat().st_mode) == 0o755
-    assert [table["name"] for table in manifest["tables"]] == ["R"]
+    assert [table["name"] for table in manifest["tables"]] == [
+        "R",
+        "R_rough",
+        "R_further",
+        "R_schlick",
+    ]
     for table in manifest["tables"]:
         pixels, attributes = read(folder / table["file"])
         assert pixels.shape == (table["height"], table["width"], 3)
-        assert attribute(attributes, "axes") == table["axes"]
+        slices = [table["slices"]] if "slices" in table else []
+        axes = attribute(attributes, "axes")
+        assert axes[: len(table["axes"])] == table["axes"]
+        assert [axis["name"] for axis in axes[2:]] == [axis["name"] for axis in slices]
         assert attribute(attributes, "error") == table["error"]
         assert attributes["nacre:space"] == manifest["space"]
 

@@ -207,6 +207,21 @@ void Column::evaluate_in(double first, double step, std::span<FilmColour> out) c
     }
 }
 
+void Column::visit_reflectance(
+    double first, double step, std::size_t count,
+    const std::function<void(std::size_t, std::size_t, const Lanes&)>& visit) const
+{
+    std::array<Lanes, kRows<double>> R, T;
+    for (std::size_t start = 0; start < count; start += kRows<double>) {
+        const std::size_t here = std::min(kRows<double>, count - start);
+        for (std::size_t b = 0; b < blocks_.size(); ++b) {
+            rows<double>(b, first + static_cast<double>(start) * step, step,
+                         std::span(R).first(here), std::span(T).first(here));
+            for (std::size_t row = 0; row < here; ++row) visit(start + row, b, R[row]);
+        }
+    }
+}
+
 void Column::evaluate(double first, double step, std::span<FilmColour> out,
                       Precision precision) const
 {

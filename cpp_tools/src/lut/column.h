@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <memory>
 #include <span>
 #include <variant>
@@ -44,6 +45,12 @@ public:
     /// Colours at first, first + step, …, one for each element of `out`.
     void evaluate(double first, double step, std::span<FilmColour> out,
                   Precision precision = Precision::double_precision) const;
+
+    /// Calls visit(row, block, R) with the reflectance of one block of wavelengths of one row, for
+    /// `count` rows as above; in double precision.
+    void visit_reflectance(double first, double step, std::size_t count,
+                           const std::function<void(std::size_t row, std::size_t block,
+                                                    const optics::Lanes& R)>& visit) const;
 
 private:
     /// Folded around the varying layer, prepared for a factor on all, or for incoherent layers.

@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "column.h"
 #include "nacre/lut/rough_tables.h"
 #include "nacre/optics/microsurface_walk.h"
-#include "nacre/optics/multilayer.h"
 
 namespace nacre::lut {
 namespace {
@@ -114,38 +114,26 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> band_weights(const spectral::ColourWeig
     return result;
 }
 
-/// The stack with `value` for what varies, at one wavelength.
-optics::FilmStack stack_at(const FilmTableRequest& request, double value, std::size_t wavelength)
+/// R of the facets, cosines × bands, of every row.
+std::vector<MatrixXd> facet_reflectance(const FilmTableRequest& request, std::size_t rows)
 {
-    const SampledStack& sampled = request.stack;
-    optics::FilmStack stack{.ambient = sampled.ambient[wavelength],
-                            .layers = {},
-                            .substrate = sampled.substrate[wavelength]};
-    const auto& variation = request.variation;
-    for (std::size_t i = 0; i < sampled.layers.size(); ++i) {
-        const SampledLayer& layer = sampled.layers[i];
-        double nm = layer.thickness_nm;
-        if (variation && variation->layer == i) nm = value;
-        if (variation && !variation->layer && layer.coherent) nm *= value;
-        stack.layers.push_back(
-            {.n = layer.n[wavelength], .thickness_nm = nm, .coherent = layer.coherent});
-    }
-    return stack;
-}
-
-/// R of the facets: cosines × bands.
-MatrixXd facet_reflectance(const FilmTableRequest& request, double value)
-{
-    MatrixXd result = MatrixXd::Ones(kNodes, kBands);
-    for (Eigen::Index band = 0; band < kBands; ++band) {
-        const std::size_t wavelength = static_cast<std::size_t>(band) * kStepNm;
-        const optics::FilmStack stack = stack_at(request, value, wavelength);
-        for (Eigen::Index i = 1; i < kNodes; ++i)
-            result(i, band) =
-                optics::stack_power_unpolarised(stack, static_cast<double>(i) / (kNodes - 1),
-                                                spectral::wavelength_nm(wavelength))
-                    .R;
-    }
+    const double first = request.variation ? request.variation->min : 0.0;
+    const double step =
+        rows > 1 ? (request.variation->max - first) / static_cast<double>(rows - 1) : 0.0;
+    const SpectralBlocks spectral(request);
+    std::vector<MatrixXd> result(rows, MatrixXd::Ones(kNodes, kBands));
+    tbb::parallel_for(Eigen::Index{1}, kNodes, [&](Eigen::Index node) {
+        Column column(spectral);
+        column.turn_to(static_cast<double>(node) / (kNodes - 1));
+        column.visit_reflectance(
+            first, step, rows, [&](std::size_t row, std::size_t block, const optics::Lanes& R) {
+                for (std::size_t i = 0; i < optics::kLanes; ++i) {
+                    const std::size_t wavelength = block * optics::kLanes + i;
+                    if (wavelength % kStepNm == 0 && wavelength < spectral::kWavelengths)
+                        result[row](node, static_cast<Eigen::Index>(wavelength / kStepNm)) = R[i];
+                }
+            });
+    });
     return result;
 }
 
@@ -170,14 +158,10 @@ FurtherBounces::FurtherBounces(const FilmTableRequest& request, std::size_t rows
 {
     const std::vector<WalkStatistics>& walks = all_statistics();
     const auto weights = band_weights(request.weights);
-    const double first = request.variation ? request.variation->min : 0.0;
-    const double last = request.variation ? request.variation->max : 0.0;
+    const std::vector<MatrixXd> reflectance = facet_reflectance(request, rows);
     tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
-        const double along =
-            rows > 1 ? static_cast<double>(row) / static_cast<double>(rows - 1) : 0.0;
-        const MatrixXd reflectance = facet_reflectance(request, first + along * (last - first));
         for (std::size_t i = 0; i < walks.size(); ++i) {
-            const Eigen::Vector3d colour = weights * further(walks[i], reflectance);
+            const Eigen::Vector3d colour = weights * further(walks[i], reflectance[row]);
             colours_[row * walks.size() + i] = {colour[0], colour[1], colour[2]};
         }
     });
