@@ -16,7 +16,8 @@ from .graph import Graph, parse_graph
 SCHEMA = 1
 KINDS = ("film", "grating", "glass")
 FORMS = ("osl", "nodes")
-SOCKET_TYPES = ("float", "int", "color", "normal")
+SOCKET_TYPES = ("float", "int", "color", "normal", "tangent")
+DIRECTIONS = ("normal", "tangent")  # left to the geometry where nothing is plugged in
 _TEXT_FIELDS = (
     "id",
     "name",
@@ -225,7 +226,7 @@ def _parse_sockets(
 
 
 def _check_default(socket: Socket, at: str, problems: list[str]) -> None:
-    if socket.type == "normal":
+    if socket.type in DIRECTIONS:
         return
     if socket.type == "color":
         if not (isinstance(socket.default, list) and len(socket.default) == 3):

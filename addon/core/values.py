@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from .manifest import CompiledMaterial, Socket
+from .manifest import DIRECTIONS, CompiledMaterial, Socket
 
 
 class AssignmentError(Exception):
@@ -23,8 +23,10 @@ def parse_assignments(material: CompiledMaterial, texts: Iterable[str]) -> dict[
         socket = material.socket(name)
         if not equals:
             problems.append(f"must be name=value (got {text!r})")
-        elif socket is None or socket.type == "normal":
-            known = ", ".join(s.name for s in material.sockets if s.type != "normal") or "none"
+        elif socket is None or socket.type in DIRECTIONS:
+            known = (
+                ", ".join(s.name for s in material.sockets if s.type not in DIRECTIONS) or "none"
+            )
             problems.append(f"{material.id} has no value {name!r}; there are: {known}")
         else:
             parsed, problem = _parse(socket, value)

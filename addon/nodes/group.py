@@ -11,7 +11,7 @@ import bpy
 
 from ..core.form import OSL
 from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
-from ..core.manifest import CompiledMaterial, ManifestError, Socket
+from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
 from .image import table_image
 from .script import fill_script_node
 
@@ -34,6 +34,7 @@ _SOCKET_TYPES = {
     "int": "NodeSocketInt",
     "color": "NodeSocketColor",
     "normal": "NodeSocketVector",
+    "tangent": "NodeSocketVector",
 }
 _COLUMN, _ROW = 220.0, 190.0
 
@@ -99,7 +100,7 @@ def _add_interface_socket(group: bpy.types.NodeTree, socket: Socket) -> None:
         name=socket.label, in_out="INPUT", socket_type=_SOCKET_TYPES[socket.type]
     )
     item.description = socket.description
-    if socket.type == "normal":
+    if socket.type in DIRECTIONS:
         item.hide_value = True
     elif socket.type == "color":
         item.default_value = (*socket.default, 1.0)
@@ -163,39 +164,44 @@ def _source_socket(
     names = [socket.name for socket in material.sockets]
     index = names.index(source.socket)
     socket = nodes[GROUP_INPUT].outputs[index]
-    if material.sockets[index].type == "normal":
-        return _normal_or_geometry(group, socket)
-    return socket
+    kind = material.sockets[index].type
+    return _given_or_geometry(group, socket, kind) if kind in DIRECTIONS else socket
 
 
-def _normal_or_geometry(
-    group: bpy.types.NodeTree, normal: bpy.types.NodeSocket
+def _given_or_geometry(
+    group: bpy.types.NodeTree, given: bpy.types.NodeSocket, kind: str
 ) -> bpy.types.NodeSocket:
-    """The given normal, or the shading normal where nothing is plugged in (a zero vector).
+    """The given direction, or the geometry's where nothing is plugged in (a zero vector).
 
     Inside a group an unlinked vector is the constant 0, not "no value"; Cycles folds the choice.
     """
-    existing = group.nodes.get("normal or geometry")
+    name = f"{kind} or geometry"
+    existing = group.nodes.get(name)
     if existing:
         return existing.outputs[1]
     length = group.nodes.new("ShaderNodeVectorMath")
     length.operation = "LENGTH"
-    given = group.nodes.new("ShaderNodeMath")
-    given.operation = "GREATER_THAN"
-    given.inputs[1].default_value = 0.5
-    geometry = group.nodes.new("ShaderNodeNewGeometry")
+    is_given = group.nodes.new("ShaderNodeMath")
+    is_given.operation = "GREATER_THAN"
+    is_given.inputs[1].default_value = 0.5
+    if kind == "normal":
+        geometry = group.nodes.new("ShaderNodeNewGeometry")
+    else:
+        geometry = group.nodes.new("ShaderNodeTangent")
+        geometry.direction_type, geometry.axis = "RADIAL", "Z"
     choice = group.nodes.new("ShaderNodeMix")
-    choice.name = choice.label = "normal or geometry"
+    choice.name = choice.label = name
     choice.data_type = "VECTOR"
     vectors = [socket for socket in choice.inputs if socket.type == "VECTOR" and socket.enabled]
     factor = next(socket for socket in choice.inputs if socket.type == "VALUE" and socket.enabled)
-    group.links.new(normal, length.inputs[0])
-    group.links.new(length.outputs["Value"], given.inputs[0])
-    group.links.new(given.outputs[0], factor)
-    group.links.new(geometry.outputs["Normal"], vectors[0])
-    group.links.new(normal, vectors[1])
-    for row, node in enumerate((length, given, geometry, choice)):
-        node.location = (row * _COLUMN, 2 * _ROW)
+    group.links.new(given, length.inputs[0])
+    group.links.new(length.outputs["Value"], is_given.inputs[0])
+    group.links.new(is_given.outputs[0], factor)
+    group.links.new(geometry.outputs[kind.capitalize()], vectors[0])
+    group.links.new(given, vectors[1])
+    row = 2 if kind == "normal" else 4
+    for column, node in enumerate((length, is_given, geometry, choice)):
+        node.location = (column * _COLUMN, row * _ROW)
     return choice.outputs[1]
 
 

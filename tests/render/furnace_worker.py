@@ -6,7 +6,8 @@ A job: material, form, values, size, samples, file and `lit`:
 `all` the plain furnace; `reflected` the world is black for light that passed a transparent surface;
 `passed` it is white only for camera rays that went straight through the film. (Cycles meets a point
 sphere from outside only, so that light crosses one wall.) `sun` is one direction, `angle` degrees
-below the camera, and nothing else. Without a material the sphere is white glossy.
+below the camera, and nothing else. Without a material the sphere is white glossy. `brush` lays the
+tangent to the camera's right.
 """
 
 from __future__ import annotations
@@ -72,6 +73,9 @@ def film(scene: bpy.types.Scene, job: dict) -> bpy.types.Material:
     compiled = extension("core.library").Library.default().load(job["material"])
     material = extension("nodes.material").create_material(compiled, job["form"])
     extension("nodes.material").set_values(material, job["values"])
+    if job.get("brush"):
+        right = tuple(scene.camera.matrix_world.col[0].to_3d())
+        extension("nodes.material").set_values(material, {"tangent": right})
     if job["form"] == "osl":
         extension("nodes.scene").use_osl(scene)
         if compiled.wavelength_per_path:

@@ -75,15 +75,17 @@ def furnace_colours(
     value: float | None,
     cosines: np.ndarray,
     alpha: tuple[float, float],
+    azimuths: np.ndarray | None = None,
     paths: int = 80_000,
 ) -> np.ndarray:
     """Linear Rec. 709 of the light that a rough film reflects under D65 from everywhere, all bounces;
-    shape (len(cosines), 3)."""
+    shape (len(cosines), 3). Azimuths are those of the views, from the direction of alpha[0]."""
     spectra = facet_spectra(template, value)
     last = len(NODES) - 1
     albedos = np.zeros((len(cosines), len(WAVELENGTHS)))
     for i, cosine in enumerate(cosines):
-        for met in walk(cosine, alpha, paths):
+        azimuth = 0.0 if azimuths is None else azimuths[i]
+        for met in walk(cosine, alpha, paths, azimuth):
             if met.shape[1] == 1:  # a mean over facets, through weights
                 weights = np.bincount(np.rint(met[:, 0] * last).astype(int), minlength=last + 1)
                 albedos[i] += weights @ spectra / paths

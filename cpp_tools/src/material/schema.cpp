@@ -169,6 +169,8 @@ std::string template_json_schema()
          {"grating", grating_schema()},
          {"glass", reference("medium")},
          {"surface", object({{"roughness", number({{"minimum", 0}, {"maximum", 1}}, "Blender's")},
+                             {"anisotropy", number({{"minimum", -0.9}, {"maximum", 0.9}},
+                                                   "of brushed surfaces, Blender's")},
                              {"transmission", {{"type", "boolean"}}},
                              {"diffuse_base", base_schema()}},
                             Json::array())},

@@ -70,7 +70,10 @@ void read_surface(Section& root, MaterialTemplate& result)
     if (!section) return;
     result.surface.roughness = section->number("roughness", {0.0, 1.0}).value_or(0.0);
     if (std::holds_alternative<StackSpec>(result.kind)) {
+        result.surface.anisotropy = section->number("anisotropy", {-0.9, 0.9});
         result.surface.transmission = section->boolean("transmission").value_or(false);
+        if (result.surface.transmission && result.surface.anisotropy)
+            section->report("anisotropy", "excludes transmission: glass has no brushed form");
         result.surface.diffuse_base = read_base(*section);
         if (result.surface.transmission && result.surface.diffuse_base)
             section->report("diffuse_base", "excludes transmission: nothing passes a matt base");

@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <numbers>
 #include <set>
 #include <variant>
+#include <vector>
 
 #include "shader_text.h"
 
@@ -141,46 +143,151 @@ void add_tables(Graph& graph, const Context& context)
     }
 }
 
+/// Math nodes whose operands are sockets or numbers; each call returns the socket of the result.
+class Calculation {
+public:
+    explicit Calculation(Graph& graph) : graph_(&graph) {}
+
+    std::string number(const std::string& id, const char* operation,
+                       const std::vector<Json>& operands, bool clamped = false)
+    {
+        add("ShaderNodeMath", id, operation, operands, clamped);
+        return id + ".Value";
+    }
+    std::string vector(const std::string& id, const char* operation,
+                       const std::vector<Json>& operands)
+    {
+        add("ShaderNodeVectorMath", id, operation, operands, false);
+        return id + ".Vector";
+    }
+
+private:
+    Graph* graph_;
+
+    void add(const char* type, const std::string& id, const char* operation,
+             const std::vector<Json>& operands, bool clamped)
+    {
+        Json properties{{"operation", operation}}, values = Json::object();
+        if (clamped) properties["use_clamp"] = true;
+        for (std::size_t i = 0; i < operands.size(); ++i)
+            if (operands[i].is_number()) values[std::to_string(i)] = operands[i];
+        graph_->node(id, type, std::move(properties), std::move(values));
+        for (std::size_t i = 0; i < operands.size(); ++i)
+            if (operands[i].is_string())
+                graph_->link(operands[i].get<std::string>(), fmt::format("{}.{}", id, i));
+    }
+};
+
+/// cos² of the view and the tangent along which a brushed surface is drawn out.
+std::string add_along_tangent(Graph& graph, Calculation& calculate)
+{
+    graph.node("turned", "ShaderNodeVectorRotate", {{"rotation_type", "AXIS_ANGLE"}});
+    graph.link("input.tangent", "turned.Vector");
+    graph.link("input.normal", "turned.Axis");
+    graph.link(calculate.number("turn", "MULTIPLY", {"input.rotation", 2.0 * std::numbers::pi}),
+               "turned.Angle");
+    const std::string across =
+        calculate.vector("normal_by_tangent", "CROSS_PRODUCT", {"input.normal", "turned.Vector"});
+    const std::string bitangent = calculate.vector("bitangent", "NORMALIZE", {across});
+    const std::string x =
+        calculate.vector("tangent_x", "CROSS_PRODUCT", {bitangent, "input.normal"});
+    calculate.vector("along_tangent", "DOT_PRODUCT", {x, "geometry.Incoming"});
+    return calculate.number("along_squared", "MULTIPLY",
+                            {"along_tangent.Value", "along_tangent.Value"});
+}
+
+/// Nodes `seen` and `overall`: the roughness of the surfaces without a direction that stand in for
+/// a brushed one, as nacre_brushed_facets() has them.
+void add_brush(Graph& graph)
+{
+    Calculation calculate(graph);
+    const auto math = [&calculate](const std::string& id, const char* operation,
+                                   const std::vector<Json>& operands, bool clamped = false) {
+        return calculate.number(id, operation, operands, clamped);
+    };
+    const std::string rough = math("rough_held", "ADD", {"input.roughness", 0.0}, true);
+    const std::string alpha = math("alpha", "MULTIPLY", {rough, rough});
+    const std::string above = math("above_0", "MAXIMUM", {"input.anisotropy", 0.0});
+    const std::string below = math("below_0", "MINIMUM", {"input.anisotropy", 0.0});
+    const std::string along = math("along", "SUBTRACT", {1.0, above});
+    const std::string across = math("across", "ADD", {1.0, below});
+    const std::string stretch = math("stretch", "DIVIDE", {along, across});
+    const std::string x = math("alpha_x", "MULTIPLY", {alpha, stretch}, true);
+    const std::string y = math("alpha_y", "DIVIDE", {alpha, stretch}, true);
+    const std::string xx = math("alpha_xx", "MULTIPLY", {x, x});
+    const std::string yy = math("alpha_yy", "MULTIPLY", {y, y});
+
+    const std::string tt = add_along_tangent(graph, calculate);
+    const std::string cc = math("cos_cos", "MULTIPLY", {"cos.Value", "cos.Value"});
+    const std::string sum = math("alpha_sum", "ADD", {xx, yy});
+    const std::string mean = math("alpha_mean", "MULTIPLY", {sum, 0.5});
+    const std::string gap = math("alpha_gap", "SUBTRACT", {xx, yy});
+    const std::string sine = math("sin_sin", "SUBTRACT", {1.0, cc});
+    const std::string from_side = math("from_side", "MULTIPLY", {yy, sine});
+    const std::string in_plane = math("in_plane", "MULTIPLY_ADD", {gap, tt, from_side});
+    const std::string weight = math("from_side_weight", "ADD", {1.0, cc});
+    const std::string quartic = math("cos_quartic", "MULTIPLY", {cc, cc});
+    const std::string from_above = math("from_above", "MULTIPLY", {mean, quartic});
+    const std::string squared = math("seen_sum", "MULTIPLY_ADD", {in_plane, weight, from_above});
+    const std::string positive = math("seen_squared", "MAXIMUM", {squared, 0.0});
+    math("seen", "POWER", {positive, 0.25}, true);
+    math("overall", "POWER", {mean, 0.25}, true);
+}
+
 /// The same for rough tables: `low` and `high`, the shares of the image's width where the slices
 /// below and above the roughness begin, and `fraction`, where between them it lies. Below the first
 /// slice, `is_smooth`, the smooth table takes the place of the lower one.
-void add_level(Graph& graph, int slices)
+void add_level(Graph& graph, const std::string& prefix, const std::string& roughness, int slices)
 {
-    const auto math = [&graph](const std::string& id, const char* operation, const std::string& a,
-                               Json values, Json properties = Json::object()) {
-        properties["operation"] = operation;
-        graph.node(id, "ShaderNodeMath", std::move(properties), std::move(values));
-        graph.link(a, id + ".0");
+    Calculation calculate(graph);
+    const auto math = [&](const char* id, const char* operation, const std::vector<Json>& operands,
+                          bool clamped = false) {
+        return calculate.number(prefix + id, operation, operands, clamped);
     };
     const double n = slices;
-    math("held", "ADD", "input.roughness", {{"1", 0.0}}, {{"use_clamp", true}});
-    math("level", "MULTIPLY", "held.Value", {{"1", n}});
-    math("floor", "FLOOR", "level.Value", Json::object());
-    math("fraction", "SUBTRACT", "level.Value", Json::object());
-    graph.link("floor.Value", "fraction.1");
-    math("is_smooth", "LESS_THAN", "level.Value", {{"1", 1.0}});
-    multiply_add(graph, "lower", "floor.Value", 1.0 / n, -1.0 / n);
-    math("low", "MAXIMUM", "lower.Value", {{"1", 0.0}});
-    math("upper", "MULTIPLY", "floor.Value", {{"1", 1.0 / n}});
-    math("high", "MINIMUM", "upper.Value", {{"1", 1.0 - 1.0 / n}});
+    const std::string held = math("held", "ADD", {roughness, 0.0}, true);
+    const std::string level = math("level", "MULTIPLY", {held, n});
+    const std::string floor = math("floor", "FLOOR", {level});
+    math("fraction", "SUBTRACT", {level, floor});
+    math("is_smooth", "LESS_THAN", {level, 1.0});
+    const std::string lower = math("lower", "MULTIPLY_ADD", {floor, 1.0 / n, -1.0 / n});
+    math("low", "MAXIMUM", {lower, 0.0});
+    const std::string upper = math("upper", "MULTIPLY", {floor, 1.0 / n});
+    math("high", "MINIMUM", {upper, 1.0 - 1.0 / n});
+}
+
+/// Prefix of the nodes of the roughness at which a table is read: further bounces depend on the
+/// surface, not on the view.
+std::string level_of(const Context& context, const TableInfo& table)
+{
+    const bool overall = context.source->surface.anisotropy && table.name.starts_with("R_further");
+    return overall ? "overall_" : "";
+}
+
+std::string roughness_of(Graph& graph, const Context& context, const std::string& level)
+{
+    if (!context.source->surface.anisotropy) return "input.roughness";
+    if (graph.first("seen")) add_brush(graph);
+    return level.empty() ? "seen.Value" : "overall.Value";
 }
 
 /// Positions `<id>_low` and `<id>_high` in a rough table.
 std::string add_slice_positions(Graph& graph, const Context& context, const TableInfo& table)
 {
-    std::string id = fmt::format("slices_{}x{}", table.x.texels, table.y.texels);
+    const std::string level = level_of(context, table);
+    std::string id = fmt::format("{}slices_{}x{}", level, table.x.texels, table.y.texels);
     if (!graph.first(id)) return id;
-    if (graph.first("level")) add_level(graph, table.slices);
+    if (graph.first(level + "level"))
+        add_level(graph, level, roughness_of(graph, context, level), table.slices);
     const double columns = table.x.texels, width = columns / table.slices;
     const std::string cosine = context.solid_index ? "cos_ambient.Result_Float" : "cos.Value";
     multiply_add(graph, id + "_in", cosine, (width - 1.0) / columns, 0.5 / columns);
     const std::string row = add_row(graph, table);
+    Calculation calculate(graph);
     for (const std::string end : {"low", "high"}) {
-        const std::string u = fmt::format("{}_u_{}", id, end);
-        graph.node(u, "ShaderNodeMath", {{"operation", "ADD"}});
-        graph.link(id + "_in.Value", u + ".0");
-        graph.link(end + ".Value", u + ".1");
-        add_position(graph, fmt::format("{}_{}", id, end), u + ".Value", 0.0, row);
+        const std::string u = calculate.number(fmt::format("{}_u_{}", id, end), "ADD",
+                                               {id + "_in.Value", level + end + ".Value"});
+        add_position(graph, fmt::format("{}_{}", id, end), u, 0.0, row);
     }
     return id;
 }
@@ -208,9 +315,10 @@ std::string add_roughened(Graph& graph, const Context& context, const TableInfo&
     const std::string low = table.name + "_low", high = table.name + "_high";
     add_image(graph, low, table, at + "_low");
     add_image(graph, high, table, at + "_high");
+    const std::string level = level_of(context, table);
     const std::string below =
-        add_mix(graph, table.name + "_below", "is_smooth.Value", low + ".Color", smooth);
-    return add_mix(graph, table.name + "_mixed", "fraction.Value", below, high + ".Color");
+        add_mix(graph, table.name + "_below", level + "is_smooth.Value", low + ".Color", smooth);
+    return add_mix(graph, table.name + "_mixed", level + "fraction.Value", below, high + ".Color");
 }
 
 /// The colour of one quantity and substrate, `R` or `R_bare`, at the roughness.
@@ -290,6 +398,11 @@ Json film_nodes(const Context& context)
     graph.link(faded(graph, context, "R"), "reflection.Color");
     graph.link("input.roughness", "reflection.Roughness");
     graph.link("input.normal", "reflection.Normal");
+    if (context.source->surface.anisotropy) {
+        graph.link("input.anisotropy", "reflection.Anisotropy");
+        graph.link("input.rotation", "reflection.Rotation");
+        graph.link("input.tangent", "reflection.Tangent");
+    }
     const std::string below = add_below_the_film(graph, context);
     if (below.empty()) {
         graph.link("reflection.BSDF", "output.BSDF");

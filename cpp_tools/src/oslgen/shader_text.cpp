@@ -32,6 +32,8 @@ std::string parameter(const Socket& socket)
 {
     if (socket.type == "normal")
         return "    normal surface_normal = N" + metadata(socket.label, socket.description);
+    if (socket.type == "tangent")
+        return "    vector tangent = vector(0.0)" + metadata(socket.label, socket.description);
     if (socket.type == "color")
         return fmt::format("    color {} = {}", socket.name, literal(socket.colour)) +
                metadata(socket.label, socket.description);
@@ -102,13 +104,14 @@ std::string look_up(const TableInfo& table, std::string_view name, std::string_v
 }
 
 /// Statements that mix slices of roughness over the smooth colour in the variable `name`.
-std::string roughen(const TableInfo& rough, std::string_view name)
+std::string roughen(const TableInfo& rough, std::string_view name,
+                    std::string_view level = "nacre_level(facets.seen)")
 {
     return fmt::format(
         "    if (table_{0} != \"\")\n"
-        "        {1} = nacre_rough_table(table_{0}, {1}, level, x, {2}, {3}.0, {4}.0,\n"
-        "                                table_origin_top);\n",
-        rough.name, name, row_of(rough), rough.x.texels / rough.slices, rough.y.texels);
+        "        {1} = nacre_rough_table(table_{0}, {1}, {5}, x, {2},\n"
+        "                                {3}.0, {4}.0, table_origin_top);\n",
+        rough.name, name, row_of(rough), rough.x.texels / rough.slices, rough.y.texels, level);
 }
 
 /// `color NAME = …;` of one quantity and substrate, with or without film.
@@ -146,7 +149,7 @@ std::string further_colour(const Context& context)
         if (!table) continue;
         const std::string name = "R_further" + suffix;
         result += fmt::format("    color {0} = table_{0} == \"\" ? {0}_in : color(0.0);\n", name) +
-                  roughen(*table, name);
+                  roughen(*table, name, "nacre_level(facets.overall)");
     }
     if (find_table(context, "R_further_bare")) result += fade("R_further");
     return result;
@@ -166,7 +169,7 @@ std::string power_lobes(const Context& context)
             colour = fmt::format("mix(color({}), {}, clamp(coverage, 0.0, 1.0))",
                                  literal(terms.bare[k]), colour);
         if (k == 0) colour += " + R_further";
-        result += fmt::format("    BSDF = nacre_power_lobe(surface_normal, {}, {}, alpha){};\n",
+        result += fmt::format("    BSDF = nacre_power_lobe(surface_normal, {}, {}, facets){};\n",
                               colour, literal(terms.exponents[k]), k == 0 ? "" : " + BSDF");
     }
     return result;
@@ -188,12 +191,11 @@ std::string indented(std::string_view statements)
 /// The lobe of the film itself.
 std::string reflection(const Context& context)
 {
-    std::string tinted = "    BSDF = nacre_reflection(surface_normal, R, roughness);\n";
+    std::string tinted = "    BSDF = nacre_tinted_lobe(surface_normal, R, facets);\n";
     if (!context.schlick) return tinted;
-    return "    if (exact_rough && level >= 1.0) {\n" +
-           indented(further_colour(context) + "    float alpha = roughness * roughness;\n" +
-                    power_lobes(context)) +
-           "    } else {\n" + indented(tinted) + "    }\n";
+    return "    if (exact_rough && nacre_level(facets.seen) >= 1.0) {\n" +
+           indented(further_colour(context) + power_lobes(context)) + "    } else {\n" +
+           indented(tinted) + "    }\n";
 }
 
 /// What becomes of the light that passes the film.
@@ -231,7 +233,11 @@ std::string film_body(const Context& context)
     if (axis.texels > 1)
         body += fmt::format("    float y = ({} - {}) / {};\n", axis.name, literal(axis.min),
                             literal(axis.max - axis.min));
-    body += "    float level = nacre_level(roughness);\n";
+    body +=
+        context.source->surface.anisotropy
+            ? "    nacre_facets facets = nacre_brushed_facets(surface_normal, tangent, roughness,\n"
+              "                                               anisotropy, rotation);\n"
+            : "    nacre_facets facets = nacre_isotropic_facets(roughness);\n";
     return body + film_colour(context, "R") + below_the_film(context);
 }
 

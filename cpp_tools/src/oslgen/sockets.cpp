@@ -58,6 +58,17 @@ void add_film(const StackSpec& stack, const MaterialTemplate& source, std::vecto
                           .colour = *source.surface.diffuse_base});
 }
 
+void add_brush(double anisotropy, std::vector<Socket>& result)
+{
+    Socket socket =
+        share("anisotropy", "Anisotropy",
+              "0: no direction; above 0 highlights are drawn out across the tangent", anisotropy);
+    socket.min = -0.9;
+    socket.max = 0.9;
+    result.push_back(std::move(socket));
+    result.push_back(share("rotation", "Rotation", "Turns the tangent; 1: once around", 0.0));
+}
+
 void add_grating(const GratingSpec& grating, const GratingColours& colours,
                  std::vector<Socket>& result)
 {
@@ -111,6 +122,7 @@ std::vector<Socket> sockets(const Context& context)
         add_glass(result);
     result.push_back(share("roughness", "Roughness", "0: mirror; GGX alpha is the square",
                            source.surface.roughness));
+    if (source.surface.anisotropy) add_brush(*source.surface.anisotropy, result);
     if (context.schlick)
         result.push_back({.name = "exact_rough",
                           .label = "Exact Rough (OSL)",
@@ -124,6 +136,13 @@ std::vector<Socket> sockets(const Context& context)
                       .type = "normal",
                       .unit = "1",
                       .description = "For bump and normal maps"});
+    if (source.surface.anisotropy)
+        result.push_back(
+            {.name = "tangent",
+             .label = "Tangent",
+             .type = "tangent",
+             .unit = "1",
+             .description = "Direction of the brush; unlinked: around the object's Z"});
     return result;
 }
 

@@ -33,10 +33,56 @@ color nacre_rough_table(string file, color smooth, float level, float x, float y
     return mix(below, nacre_slice(file, low + 1.0, x, y, width, height, origin_top), level - low);
 }
 
+// Facets of a rough surface: GGX alpha along the tangent and across. Two surfaces without a
+// direction stand in for a brushed one, by their roughness: `seen` has facets at the same angles to
+// the viewer, `overall` as many further bounces.
+struct nacre_facets {
+    vector tangent;
+    float alpha_x, alpha_y;
+    float seen, overall;
+};
+
+nacre_facets nacre_isotropic_facets(float roughness)
+{
+    float held = clamp(roughness, 0.0, 1.0);
+    nacre_facets facets = {vector(0.0), held * held, held * held, held, held};
+    return facets;
+}
+
+// Anisotropy and rotation are those of the Glossy node. From the side only the slopes along the
+// line of sight count, from above all alike: alpha^2 seen is their mean where c^4 of the view is 1,
+// and that along the line of sight where it is 0. The fourth power fits light that walks among
+// facets.
+nacre_facets nacre_brushed_facets(normal n, vector tangent, float roughness, float anisotropy,
+                                  float rotation)
+{
+    float held = clamp(roughness, 0.0, 1.0);
+    float along = 1.0 - clamp(anisotropy, 0.0, 0.99), across = 1.0 + clamp(anisotropy, -0.99, 0.0);
+    float alpha_x = min(1.0, held * held * along / across);
+    float alpha_y = min(1.0, held * held * across / along);
+    vector turned = rotate(tangent, rotation * M_2PI, point(0.0), point(n));
+    vector x = normalize(turned - n * dot(n, turned));
+    float c = dot(n, I), t = dot(x, I);
+    float squared_x = alpha_x * alpha_x, squared_y = alpha_y * alpha_y;
+    float mean = 0.5 * (squared_x + squared_y), cc = c * c;
+    float in_plane = squared_y * (1.0 - cc) + (squared_x - squared_y) * t * t;
+    float squared = max(0.0, mean * cc * cc + in_plane * (1.0 + cc));
+    nacre_facets facets = {turned, alpha_x, alpha_y, min(1.0, pow(squared, 0.25)),
+                           min(1.0, pow(mean, 0.25))};
+    return facets;
+}
+
+// A lobe of one colour, which may be outside the gamut.
+closure color nacre_tinted_lobe(normal n, color tint, nacre_facets facets)
+{
+    return generalized_schlick_bsdf(n, facets.tangent, tint, color(0.0), facets.alpha_x,
+                                    facets.alpha_y, color(1.0), color(1.0), 1.0, "ggx");
+}
+
 // One term of a reflectance that is a sum of powers over the facet's cosine, c (1 - cos)^e, of any
 // sign: a Schlick reflectance of f0 = 0, f90 = c.
-closure color nacre_power_lobe(normal n, color coefficient, float exponent, float alpha)
+closure color nacre_power_lobe(normal n, color coefficient, float exponent, nacre_facets facets)
 {
-    return generalized_schlick_bsdf(n, vector(0.0), color(1.0), color(0.0), alpha, alpha,
-                                    color(0.0), coefficient, exponent, "ggx");
+    return generalized_schlick_bsdf(n, facets.tangent, color(1.0), color(0.0), facets.alpha_x,
+                                    facets.alpha_y, color(0.0), coefficient, exponent, "ggx");
 }

@@ -84,6 +84,8 @@ inline constexpr int kMaxLayers = 64;
 
 struct SurfaceSpec {
     double roughness = 0.0;
+    /// Of brushed surfaces, −0.9…0.9 as Blender's Glossy has it; none: the surface has no direction
+    std::optional<double> anisotropy;
     bool transmission = false;  ///< light passes through the film
     /// Reflectance of a matt base under a clear substrate, each channel 0…1: the artist's colour
     std::optional<std::array<double, 3>> diffuse_base;

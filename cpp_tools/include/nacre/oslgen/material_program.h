@@ -18,7 +18,7 @@ namespace nacre::oslgen {
 struct Socket {
     std::string name;   ///< lives in saved files: never rename one
     std::string label;  ///< with the unit in it: `Thickness (nm)`
-    std::string type;   ///< `float`, `int`, `color`, `normal`
+    std::string type;   ///< `float`, `int`, `color`, `normal`, `tangent`
     std::string unit;   ///< `nm`, `1`, …
     std::string description;
     double value = 0.0, min = 0.0, max = 1.0;     ///< of float and int
