@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 
 from . import properties
-from .operators import assign, fix
+from .operators import assign, fix, thickness
 from .ui import panels, preferences
 
 _CLASSES = (
@@ -15,6 +15,7 @@ _CLASSES = (
     preferences.NACRE_preferences,
     *assign.CLASSES,
     *fix.CLASSES,
+    *thickness.CLASSES,
     *panels.CLASSES,
 )
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import math
 import re
 import sys
 import time
@@ -24,8 +25,10 @@ from .core.form import AUTO, NODES, OSL, FormError, choose_form
 from .core.library import Library
 from .core.manifest import CompiledMaterial, ManifestError, from_memory, load_folder
 from .core.oso import OsoError
+from .core.thickness import SOURCES
 from .core.values import AssignmentError, parse_assignments
 from .nodes import scene as scene_setup
+from .nodes import thickness
 from .nodes.material import create_material, set_values
 from .scenes import StageError, build_stage, stage_names
 
@@ -36,6 +39,8 @@ examples:
   nacre render --material soap_film --stage bubble -o bubble.png
   nacre render --material oil_on_water --set thickness_nm=420 --stage furnace --size 128x128 -o oil.exr
   nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
+  nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
+  nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
   nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o frames/####.exr
 """
 
@@ -120,9 +125,23 @@ def _parser() -> argparse.ArgumentParser:
     stage.add_argument(
         "--set", metavar="NAME=VALUE", action="append", default=[], help="a value of the material"
     )
+    stage.add_argument(
+        "--vary",
+        metavar="SOURCE",
+        action="append",
+        default=[],
+        choices=[item.id for item in SOURCES if item.id in ("drop", "drainage", "swirl")],
+        help="let the thickness vary: drop, drainage or swirl; may be repeated, swirl last",
+    )
+    stage.add_argument(
+        "--thickness-map", metavar="FILE", type=Path, help="a picture of the thickness, over UV"
+    )
+    stage.add_argument(
+        "--range", metavar="LOW:HIGH", type=_range, help="thicknesses of black and white in the map"
+    )
     blend = parser.add_argument_group("a .blend file")
     blend.add_argument("--assign", metavar="OBJECT=ID", action="append", default=[])
-    blend.add_argument("--frames", metavar="A-B", type=_frames, help="default: the current frame")
+    parser.add_argument("--frames", metavar="A-B", type=_frames, help="default: the current frame")
     parser.add_argument(
         "--form", choices=(AUTO, OSL, NODES), default=AUTO, help="of the materials (default auto)"
     )
@@ -168,6 +187,16 @@ def _size(text: str) -> tuple[int, int]:
     return size
 
 
+def _range(text: str) -> tuple[float, float]:
+    try:
+        low, high = map(float, text.split(":"))
+    except ValueError:
+        low, high = 0.0, 0.0
+    if not (math.isfinite(low) and math.isfinite(high) and 0.0 <= low < high):
+        raise argparse.ArgumentTypeError(f"must be LOW:HIGH with 0 ≤ LOW < HIGH (got {text!r})")
+    return low, high
+
+
 def _frames(text: str) -> range:
     match = re.fullmatch(r"(\d+)(?:-(\d+))?", text)
     first = int(match.group(1)) if match else 1
@@ -185,10 +214,17 @@ def _parse(argv: Sequence[str]) -> argparse.Namespace:
     sources = [options.material, options.compiled, options.template, options.blend]
     if sum(source is not None for source in sources) != 1:
         raise UsageError("give one of --material, --compiled, --template, --blend")
-    if options.blend is None and (options.assign or options.frames):
-        raise UsageError("--assign and --frames need --blend")
-    if options.blend is not None and (options.stage or options.set):
-        raise UsageError("--stage and --set do not go with --blend")
+    if options.blend is None and options.assign:
+        raise UsageError("--assign needs --blend")
+    varied = options.vary or options.thickness_map
+    if options.blend is not None and (options.stage or options.set or varied):
+        raise UsageError("--stage, --set, --vary and --thickness-map do not go with --blend")
+    if options.blend is None and options.frames and "swirl" not in options.vary:
+        raise UsageError("--frames needs --blend, or --vary swirl: nothing else moves")
+    if options.range and not options.thickness_map:
+        raise UsageError("--range needs --thickness-map")
+    if options.thickness_map and set(options.vary) - {"swirl"}:
+        raise UsageError("--thickness-map goes with --vary swirl alone")
     return options
 
 
@@ -253,12 +289,47 @@ def _stage_job(options: argparse.Namespace) -> Job:
     material = _add_material(job, compiled, options.form)
     set_values(material, values)
     stage.place(material)
-    if stage.dress:
+    if options.vary or options.thickness_map:
+        _vary(material, compiled, options)
+    elif stage.dress:
         stage.dress(material)
     stage.scene.render.resolution_x, stage.scene.render.resolution_y = stage.size
     stage.scene.cycles.samples = stage.samples
     _set_view(stage.scene, options.view or DEFAULT_VIEW, strict=options.view is not None)
     return job
+
+
+def _vary(
+    material: bpy.types.Material, compiled: CompiledMaterial, options: argparse.Namespace
+) -> None:
+    socket = thickness.thickness_socket(material)
+    if socket is None:
+        raise UsageError(f"{compiled.id} has no thickness that could vary")
+    if options.thickness_map:
+        _map_thickness(material, options)
+    for source in options.vary:
+        node = thickness.add_source(material, source)
+        if source == "swirl" and options.frames:
+            thickness.animate(node)
+
+
+def _map_thickness(material: bpy.types.Material, options: argparse.Namespace) -> None:
+    low, high = thickness.thickness_range(thickness.thickness_socket(material))
+    wanted = options.range or (low, high)
+    if not (low <= wanted[0] and wanted[1] <= high):
+        raise UsageError(
+            f"--range: must be within {low:g}:{high:g}, which the tables cover "
+            f"(got {wanted[0]:g}:{wanted[1]:g})"
+        )
+    try:
+        image = bpy.data.images.load(str(options.thickness_map.absolute()))
+    except RuntimeError as error:
+        raise UsageError(f"--thickness-map: {options.thickness_map}: {error}") from error
+    if tuple(image.size) == (0, 0):
+        raise UsageError(f"--thickness-map: {options.thickness_map}: is not a picture")
+    node = thickness.add_source(material, "map")
+    node.inputs["Minimum"].default_value, node.inputs["Maximum"].default_value = wanted
+    thickness.link_image(material, image)
 
 
 def _blend_job(options: argparse.Namespace) -> Job:

@@ -6,10 +6,11 @@ from __future__ import annotations
 
 import bpy
 
+from ..nodes.material import input_socket
+from ..nodes.thickness import add_source
 from .light import camera, environment
 from .shape import sphere
 from .stage import Stage, place_on
-from .thickness import vary
 
 # Centre and radius.
 _BUBBLES = (
@@ -33,4 +34,12 @@ def build(scene: bpy.types.Scene) -> Stage:
 
 
 def _dress(material: bpy.types.Material) -> None:
-    vary(material, base=0.35, height=1.15, swirl=0.5, scale=1.3, stretch=(1.0, 1.0, 2.2))
+    """Drained, with a black cap, and stirred."""
+    socket = input_socket(material, "thickness_nm")
+    if socket is None:
+        return
+    drainage = add_source(material, "drainage")
+    drainage.inputs["Bottom"].default_value = 2.25 * socket.default_value
+    drainage.inputs["Black Film"].default_value = 0.08
+    swirl = add_source(material, "swirl")
+    swirl.inputs["Time"].default_value = 1.0

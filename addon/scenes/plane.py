@@ -20,7 +20,8 @@ def build(scene: bpy.types.Scene) -> Stage:
     ground = mesh(scene, "Asphalt", _square(14.0), [(0, 1, 2, 3)], smooth=False)
     ground.data.materials.append(_asphalt())
     vertices, faces = _puddle(0.004)
-    puddle = mesh(scene, "Puddle", vertices, faces, smooth=False)
+    uvs = [(0.5 + x / 4.0, 0.5 + y / 4.0) for x, y, _ in vertices]
+    puddle = mesh(scene, "Puddle", vertices, faces, smooth=False, uvs=uvs)
     camera(scene, (0.0, -4.6, 3.4), (0.0, 0.05, 0.0), lens_mm=50.0)
     return Stage(scene, place_on(puddle), dress=_dress)
 

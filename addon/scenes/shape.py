@@ -20,9 +20,14 @@ def mesh(
     faces: Sequence[Sequence[int]],
     *,
     smooth: bool = True,
+    uvs: Sequence[tuple[float, float]] = (),
 ) -> bpy.types.Object:
+    """`uvs`: one for each corner of each face, in their order."""
     data = bpy.data.meshes.new(name)
     data.from_pydata(vertices, [], faces)
+    if uvs:
+        layer = data.uv_layers.new(name="UVMap")
+        layer.data.foreach_set("uv", [x for uv in uvs for x in uv])
     data.validate()
     if smooth:
         data.shade_smooth()
@@ -39,7 +44,8 @@ def lathe(
     segments: int = 160,
     smooth: bool = True,
 ) -> bpy.types.Object:
-    """Turns `profile`, points (radius, z) from the bottom up with the outside to the right."""
+    """Turns `profile`, points (radius, z) from the bottom up with the outside to the right; u goes
+    around, v along the profile."""
     vertices: list[Point] = []
     rings: list[list[int]] = []
     for radius, z in profile:
@@ -48,18 +54,24 @@ def lathe(
         for step in range(count):
             angle = math.tau * step / segments
             vertices.append((radius * math.cos(angle), radius * math.sin(angle), z))
-    faces = []
-    for lower, upper in itertools.pairwise(rings):
+    faces, uvs = [], []
+    for ring, (lower, upper) in enumerate(itertools.pairwise(rings)):
         for i in range(segments):
             j = (i + 1) % segments
-            corners = (
-                lower[i % len(lower)],
-                lower[j % len(lower)],
-                upper[j % len(upper)],
-                upper[i % len(upper)],
-            )
-            faces.append(tuple(dict.fromkeys(corners)))
-    return mesh(scene, name, vertices, faces, smooth=smooth)
+            corners: dict[int, tuple[float, float]] = {}
+            for circle, step, v in (
+                (lower, i, ring),
+                (lower, j, ring),
+                (upper, j, ring + 1),
+                (upper, i, ring + 1),
+            ):
+                # The last step ends at u = 1, where the first begins at 0.
+                u = i + 1 if step == j else i
+                place = (u / segments, v / (len(rings) - 1))
+                corners.setdefault(circle[step % len(circle)], place)
+            faces.append(tuple(corners))
+            uvs += corners.values()
+    return mesh(scene, name, vertices, faces, smooth=smooth, uvs=uvs)
 
 
 def sphere(

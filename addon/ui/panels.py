@@ -11,6 +11,7 @@ from ..core.problems import find_problems
 from ..nodes import group as groups
 from ..nodes import scene as scene_setup
 from ..nodes.material import describe, group_node, missing_tables
+from ..nodes.thickness import sources_of, thickness_socket
 
 
 class _WaveOptics:
@@ -35,7 +36,8 @@ class _WaveOptics:
         layout.prop(context.scene.nacre, "form", text="New Materials As")
         if node is not None:
             _draw_problems(layout, context, material)
-            _draw_sockets(layout, node)
+            _draw_sockets(layout, material, node)
+            _draw_sources(layout, material)
             _draw_form(layout, node)
 
 
@@ -66,17 +68,34 @@ def _draw_problems(layout, context, material) -> None:
             box.operator(problem.operator, text=problem.action)
 
 
-def _draw_sockets(layout, node) -> None:
+def _draw_sockets(layout, material, node) -> None:
     column = layout.column()
+    varies = thickness_socket(material)
     for socket in node.inputs:
         if socket.hide_value:
             continue
+        row = column.row(align=True)
         if socket.is_linked:
-            row = column.row()
             row.label(text=socket.name)
             row.label(text="Linked", icon="LINKED")
         else:
-            column.prop(socket, "default_value", text=socket.name)
+            row.prop(socket, "default_value", text=socket.name)
+        if socket == varies:
+            row.menu("NACRE_MT_thickness", text="", icon="TEXTURE")
+
+
+def _draw_sources(layout, material) -> None:
+    """What feeds the thickness, last first, each with its inputs."""
+    for node in sources_of(material):
+        box = layout.box()
+        row = box.row()
+        row.label(text=node.label or node.name, icon="TEXTURE")
+        if "Time" in node.inputs:
+            row.operator("nacre.animate_thickness", text="", icon="TIME")
+        column = box.column()
+        for socket in node.inputs:
+            if not socket.hide_value and not socket.is_linked:
+                column.prop(socket, "default_value", text=socket.name)
 
 
 def _draw_form(layout, node) -> None:

@@ -15,6 +15,10 @@ def test_assigns_in_both_forms_and_mends(blender):
     blender.script("assign")
 
 
+def test_thickness_varies(blender, tmp_path):
+    blender.script("thickness", tmp_path)
+
+
 @pytest.mark.parametrize(
     ("form", "material"), [("osl", "test_film"), ("nodes", "test_film"), ("osl", "test_grating")]
 )

@@ -9,6 +9,7 @@ import signal
 import subprocess
 import time
 
+import OpenImageIO as oiio
 import pytest
 from conftest import FIXTURES, ROOT
 
@@ -72,7 +73,17 @@ def test_blend_with_frames_and_assignment(blender, tmp_path):
         (["--compiled", "nowhere"], "must be a folder with one manifest"),
         (["--template", "nowhere.toml"], "--template"),
         (["--blend", "nowhere.blend"], "no file nowhere.blend"),
-        (["--material", "test_film", "--frames", "1-2"], "need --blend"),
+        (["--material", "test_film", "--frames", "1-2"], "--frames needs --blend"),
+        (["--material", "test_film", "--assign", "a=b"], "--assign needs --blend"),
+        (["--material", "test_film", "--range", "1:2"], "--range needs --thickness-map"),
+        (["--material", "test_film", "--range", "2:1"], "must be LOW:HIGH"),
+        (["--material", "test_film", "--vary", "rain"], "--vary"),
+        (["--material", "test_grating", "--vary", "drop"], "has no thickness"),
+        (["--material", "test_film", "--thickness-map", "nowhere.png"], "--thickness-map"),
+        (
+            ["--material", "test_film", "--thickness-map", "x.png", "--range", "0:2000"],
+            "must be within 0:1200",
+        ),
         ([], "give one of --material"),
     ],
 )
@@ -85,6 +96,31 @@ def test_wrong_usage_is_told_and_writes_nothing(blender45, tmp_path, arguments, 
     assert "Traceback" not in done.stderr
     assert done.stdout == ""
     assert output.read_bytes() == b"kept"
+
+
+def test_thickness_varies(blender, tmp_path):
+    """Drainage from top to bottom; a swirl moves from frame to frame, the same each time."""
+    picture = ("--size", "16x16", "--samples", "1")
+    common = ("--material", "test_film", "--stage", "furnace", *picture)
+    still, pattern = tmp_path / "still.exr", tmp_path / "f_##.exr"
+    done = blender.render(*common, "--vary", "drainage", "-o", still)
+    assert done.returncode == 0, done.stderr
+    moved = ("--vary", "drainage", "--vary", "swirl", "--frames")
+    done = blender.render(*common, *moved, "1-24", "-o", pattern)
+    assert done.returncode == 0, done.stderr
+    assert len(list(tmp_path.glob("f_*"))) == 24
+    done = blender.render(*common, *moved, "24-24", "-o", tmp_path / "again_##.exr")
+    assert done.returncode == 0, done.stderr
+    first, last, again = (
+        oiio.ImageBuf(str(tmp_path / name)).get_pixels(oiio.FLOAT)
+        for name in ("f_01.exr", "f_24.exr", "again_24.exr")
+    )
+    assert (again == last).all()
+    assert abs(first - last).max() > 0.01
+    done = blender.render(
+        *common, "--thickness-map", still, "--range", "100:800", "-o", tmp_path / "map.exr"
+    )
+    assert done.returncode == 0, done.stderr
 
 
 @pytest.mark.parametrize("name", ["out.jpg", "nowhere/out.exr", "out"])

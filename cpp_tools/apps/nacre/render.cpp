@@ -30,12 +30,14 @@ Options:
   --template FILE        a template; it is compiled first
   --set NAME=VALUE       a socket of the material, e.g. thickness_nm=320; may be repeated
   --stage NAME           furnace, sphere, plane, bubble or shaderball
+  --vary SOURCE          thickness that varies: drop, drainage, swirl; may be repeated, swirl last
+  --thickness-map FILE   a picture of the thickness; --range LOW:HIGH what black and white mean
   --samples N            samples a pixel
   --size WxH             pixels
   --seed S               of the noise; the same seed gives the same pixels
   --blend FILE           a scene of one's own instead of a stage
   --assign OBJECT=ID     gives an object a material; may be repeated
-  --frames A-B           frames of the scene; #### in the output's name is the frame
+  --frames A-B           frames of the scene, or of a swirl; #### in the output's name is the frame
   -o, --output FILE      .exr scene-linear, .png for the screen
 
 Cycles is looked for in this order: NACRE_PYTHON (a Python with bpy), NACRE_BLENDER (a Blender program),

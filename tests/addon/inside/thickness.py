@@ -1,0 +1,178 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Sources of a thickness: made, chained, taken away, driven, and what they compute."""
+
+from __future__ import annotations
+
+import math
+import sys
+from pathlib import Path
+
+import bpy
+from support import load, module, new_file
+
+extension = load()
+extension.register()
+materials = module("nodes.material")
+thickness = module("nodes.thickness")
+SOURCES = module("core.thickness").SOURCES
+folder = Path(sys.argv[2])
+
+
+def refused(call, message: str) -> None:
+    try:
+        call()
+    except RuntimeError as error:
+        said = str(error)
+    else:
+        said = "nothing"
+    assert message in said, said
+
+
+def close(a: float, b: float, tolerance: float = 1e-3) -> bool:
+    return abs(a - b) <= tolerance * max(1.0, abs(b))
+
+
+def measure(node, values: dict, at=(0.0, 0.0, 0.0)) -> float:
+    """What a source gives at a place: rendered as emission of a plane."""
+    for name, value in values.items():
+        node.inputs[name].default_value = value
+    tree = node.id_data
+    for name in ("probe", "probe out", "probe at"):
+        if name in tree.nodes:
+            tree.nodes.remove(tree.nodes[name])
+    emission = tree.nodes.new("ShaderNodeEmission")
+    emission.name = "probe"
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    output.name = "probe out"
+    output.is_active_output = True
+    tree.links.new(node.outputs[0], emission.inputs["Strength"])
+    tree.links.new(emission.outputs[0], output.inputs["Surface"])
+    if "Vector" in node.inputs:
+        place = tree.nodes.new("ShaderNodeCombineXYZ")
+        place.name = "probe at"
+        for socket, value in zip(place.inputs, at, strict=True):
+            socket.default_value = value
+        tree.links.new(place.outputs[0], node.inputs["Vector"])
+    scene = bpy.context.scene
+    scene.cycles.samples = 1
+    scene.cycles.use_denoising = False
+    scene.cycles.shading_system = False
+    scene.render.resolution_x = scene.render.resolution_y = 4
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.image_settings.color_depth = "32"
+    scene.render.filepath = str(folder / "probe.exr")
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath, check_existing=False)
+    value = image.pixels[0]
+    bpy.data.images.remove(image)
+    return value
+
+
+cube = new_file()
+scene = bpy.context.scene
+scene.render.engine = "CYCLES"
+camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+camera.location.z = 5.0
+camera.data.type = "ORTHO"
+camera.data.ortho_scale = 1.0
+scene.collection.objects.link(camera)
+scene.camera = camera
+refused(lambda: bpy.ops.nacre.add_thickness(source="drop"), "no thickness")
+bpy.ops.nacre.assign_material(material="test_film", form="nodes")
+material = cube.active_material
+socket = thickness.thickness_socket(material)
+span = thickness.thickness_range(socket)
+assert span == (0.0, 1200.0)
+
+# Each source is made once and replaces the one before; names and ranges.
+for source in SOURCES:
+    assert bpy.ops.nacre.add_thickness(source=source.id) == {"FINISHED"}
+    assert bpy.ops.nacre.add_thickness(source=source.id) == {"FINISHED"}
+    node = thickness.sources_of(material)[0]
+    assert node.node_tree[thickness.SOURCE] == source.id
+    for item in source.inputs:
+        assert item.name in node.inputs
+        if item.is_thickness:
+            assert span[0] <= node.inputs[item.name].default_value <= span[1]
+    count = sum(1 for group in bpy.data.node_groups if thickness.SOURCE in group)
+    assert count == 1 + SOURCES.index(source), count
+    bpy.ops.nacre.remove_thickness()
+    assert thickness.sources_of(material) == []
+    assert not socket.is_linked
+assert {node.type for node in material.node_tree.nodes} == {"OUTPUT_MATERIAL", "GROUP"}
+
+# The parabola of a drop.
+bpy.ops.nacre.add_thickness(source="drop")
+drop = thickness.sources_of(material)[0]
+given = {"Base": 100.0, "Height": 300.0, "Centre": (0.0, 0.0, 0.0), "Radius": 2.0}
+assert close(measure(drop, given), 400.0)
+assert close(measure(drop, given, (1.0, 0.0, 0.0)), 100.0 + 300.0 * 0.75)
+assert close(measure(drop, given, (0.0, 3.0, 0.0)), 100.0)
+
+# Drainage: a root of the depth, 1/√t, black at the top with an edge.
+bpy.ops.nacre.add_thickness(source="drainage")
+drainage = thickness.sources_of(material)[0]
+given = {"Bottom": 900.0, "Time": 1.0, "Black Film": 0.1, "Black Thickness": 8.0}
+assert close(measure(drainage, given, (0.0, 0.0, 0.0)), 900.0)
+assert close(measure(drainage, given, (0.0, 0.0, 0.75)), 900.0 * math.sqrt(0.25))
+assert close(measure(drainage, given, (0.0, 0.0, 0.95)), 8.0)
+assert close(measure(drainage, {**given, "Time": 4.0}, (0.0, 0.0, 0.0)), 450.0)
+
+# A value from 0 to 1 is held to its range; an attribute in nm is taken as it is.
+bpy.ops.nacre.add_thickness(source="map")
+mapped = thickness.sources_of(material)[0]
+for value, wanted in ((0.25, 250.0), (-1.0, 200.0), (2.0, 400.0)):
+    given = {"Value": value, "Minimum": 200.0, "Maximum": 400.0}
+    assert close(measure(mapped, given), wanted), value
+
+# Swirl goes upon what is there; the same time gives the same film, another time another.
+bpy.ops.nacre.add_thickness(source="drop")
+bpy.ops.nacre.add_thickness(source="swirl")
+swirl, below = thickness.sources_of(material)
+assert below.node_tree[thickness.SOURCE] == "drop"
+place = (0.3, -0.2, 0.7)
+first = measure(swirl, {"Time": 1.7, "Amount": 0.5}, place)
+other = measure(swirl, {"Time": 2.9}, place)
+again = measure(swirl, {"Time": 1.7}, place)
+assert first == again
+assert not close(first, other)
+# It moves without a jump, also where one copy of the noise begins anew (every 2 s).
+before, after = (measure(swirl, {"Time": t}, place) for t in (1.9995, 2.0005))
+assert close(before, after, 0.02), (before, after)
+
+# Driven by the frames.
+assert bpy.ops.nacre.animate_thickness() == {"FINISHED"}
+scene.render.fps = 24
+scene.frame_set(48)
+evaluated = material.evaluated_get(bpy.context.evaluated_depsgraph_get())
+timed = evaluated.node_tree.nodes[swirl.name].inputs["Time"].default_value
+assert close(timed, 2.0), timed
+
+# Painting: an attribute is made, becomes active, and feeds the film.
+bpy.ops.nacre.add_thickness(source="attribute")
+assert cube.data.color_attributes.active_color.name == "Film Thickness"
+painted = thickness.sources_of(material)[0]
+assert painted.inputs["Value"].links[0].from_node.attribute_name == "Film Thickness"
+bpy.ops.nacre.add_thickness(source="attribute_nm", attribute="nm")
+held = thickness.sources_of(material)[0]
+assert held.inputs["Value"].links[0].from_node.attribute_name == "nm"
+
+# A picture; one that is missing changes nothing.
+picture = bpy.data.images.new("map", 4, 4)
+picture.filepath_raw = str(folder / "Dicke é.png")
+picture.file_format = "PNG"
+picture.save()
+assert bpy.ops.nacre.add_thickness(source="map", filepath=picture.filepath_raw) == {"FINISHED"}
+image = thickness.sources_of(material)[0].inputs["Value"].links[0].from_node.image
+assert image.colorspace_settings.name == "Non-Color"
+nodes = len(material.node_tree.nodes)
+refused(
+    lambda: bpy.ops.nacre.add_thickness(source="map", filepath=str(folder / "none.png")), "none.png"
+)
+assert len(material.node_tree.nodes) == nodes
+
+# Switching the form keeps what feeds the thickness.
+assert bpy.ops.nacre.rebuild_material(form="osl") == {"FINISHED"}
+assert len(thickness.sources_of(material)) == 1
+extension.unregister()
