@@ -62,6 +62,9 @@ class CompiledMaterial:
     kind: str
     category: str
     description: str
+    status: str  # measured, sourced or typical
+    tags: tuple[str, ...]
+    template: str  # the text that it was compiled from; empty where an older tool wrote none
     template_sha256: str
     wavelength_per_path: bool
     negative_gamut: bool
@@ -183,6 +186,9 @@ def _material(
         kind=data["kind"],
         category=data["category"],
         description=data["description"],
+        status=str(data.get("status", "typical")),
+        tags=tuple(map(str, data.get("tags") or ())),
+        template=str(data.get("template", "")),
         template_sha256=data["template_sha256"],
         wavelength_per_path=bool(data.get("wavelength_per_path", False)),
         negative_gamut=bool((data.get("gamut") or {}).get("negative", False)),

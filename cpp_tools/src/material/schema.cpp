@@ -126,7 +126,14 @@ Json material_schema()
                    {"name", text("as the artist reads it")},
                    {"category", text("path in the asset catalogue")},
                    {"description", text("one sentence")},
-                   {"source", text("where the values come from, and which are only typical")}},
+                   {"source", text("where the values come from, and which are only typical")},
+                   {"status",
+                    {{"enum", {"measured", "sourced", "typical"}},
+                     {"description", "how far the values can be trusted; else typical"}}},
+                   {"tags",
+                    {{"type", "array"},
+                     {"items", text("a word that a search may use")},
+                     {"description", "for searches"}}}},
                   {"id", "name", "category", "source"});
 }
 

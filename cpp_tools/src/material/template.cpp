@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "nacre/core/limits.h"
@@ -15,6 +16,8 @@
 
 namespace nacre::material {
 namespace {
+
+constexpr std::array<std::string_view, 3> kStatusNames{"measured", "sourced", "typical"};
 
 bool is_file_name_safe(std::string_view id)
 {
@@ -46,6 +49,15 @@ void read_material(Section& root, MaterialTemplate& result)
     result.category = required_text(*section, "category");
     result.source = required_text(*section, "source");
     result.description = section->text("description").value_or("");
+    if (const auto name = section->text("status")) {
+        const auto status = std::ranges::find(kStatusNames, *name);
+        if (status == kStatusNames.end())
+            section->report("status", fmt::format("must be one of {} (got \"{}\")",
+                                                  fmt::join(kStatusNames, ", "), *name));
+        else
+            result.status = static_cast<Status>(status - kStatusNames.begin());
+    }
+    result.tags = section->texts("tags").value_or(std::vector<std::string>{});
     section->report_unknown_keys();
 }
 
@@ -137,6 +149,11 @@ void read_template(Section& root, MaterialTemplate& result)
 
 }  // namespace
 
+std::string_view status_name(Status status)
+{
+    return kStatusNames[static_cast<std::size_t>(status)];
+}
+
 std::optional<std::size_t> StackSpec::varying_layer() const
 {
     const auto it = std::ranges::find_if(
@@ -177,6 +194,7 @@ MaterialTemplate parse_template(std::string_view toml, std::string_view file)
     }
     MaterialTemplate result;
     result.file = file;
+    result.text = toml;
     result.sha256 = sha256_hex(toml);
     DiagnosticList problems;
     Section root(table, "", result.file, problems);

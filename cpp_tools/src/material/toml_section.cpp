@@ -183,6 +183,26 @@ std::optional<std::vector<double>> Section::numbers(std::string_view key, std::s
     return values;
 }
 
+std::optional<std::vector<std::string>> Section::texts(std::string_view key)
+{
+    const toml::node* node = find(key);
+    if (!node) return std::nullopt;
+    const toml::array* array = node->as_array();
+    if (!array) {
+        report_type(key, *node, "an array of strings");
+        return std::nullopt;
+    }
+    std::vector<std::string> values;
+    for (const toml::node& item : *array)
+        if (const auto* text = item.as_string(); text && !text->get().empty())
+            values.push_back(text->get());
+    if (values.size() != array->size()) {
+        report(key, "must be strings that are not empty");
+        return std::nullopt;
+    }
+    return values;
+}
+
 std::optional<Section> Section::section(std::string_view key)
 {
     const toml::node* node = find(key);

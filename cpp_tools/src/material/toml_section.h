@@ -46,6 +46,8 @@ public:
     /// Finite numbers, `min_size` to `max_size` of them.
     std::optional<std::vector<double>> numbers(std::string_view key, std::size_t min_size,
                                                std::size_t max_size);
+    /// Strings that are not empty.
+    std::optional<std::vector<std::string>> texts(std::string_view key);
     std::optional<Section> section(std::string_view key);
     /// `[[key]]` or `key = [{…}]`; empty when absent.
     std::vector<Section> sections(std::string_view key);

@@ -71,6 +71,24 @@ default = 0.75
     EXPECT_DOUBLE_EQ(result.parameter("coverage")->value, 0.75);
 }
 
+TEST(Template, KnowsHowFarItCanBeTrusted)
+{
+    const std::string rest = kFilm.substr(kHead.size());
+    const auto plain = parse_template(kFilm, "t.toml");
+    EXPECT_EQ(plain.status, Status::typical);
+    EXPECT_TRUE(plain.tags.empty());
+    EXPECT_EQ(plain.text, kFilm);
+
+    const auto told = parse_template(
+        kHead + "status = \"measured\"\ntags = [\"wing\", \"blue\"]\n" + rest, "t.toml");
+    EXPECT_EQ(status_name(told.status), "measured");
+    EXPECT_EQ(told.tags, (std::vector<std::string>{"wing", "blue"}));
+
+    EXPECT_EQ(problems(kHead + "status = \"true\"\ntags = [1]\n" + rest),
+              "t.toml:7: material.status: must be one of measured, sourced, typical (got "
+              "\"true\")\nt.toml:8: material.tags: must be strings that are not empty\n");
+}
+
 TEST(Template, KnowsWhatLiesBelowTheFilm)
 {
     const auto interior = [](const std::string& substrate, const std::string& surface) {
@@ -158,7 +176,7 @@ thickness_nm = nan
               "t.toml:4: material.name: must be a string (got an integer)\n"
               "t.toml:2: material.source: missing; must be a string\n"
               "t.toml:6: material.colour: unknown key; allowed here: category, description, id, "
-              "name, source\n"
+              "name, source, status, tags\n"
               "t.toml:10: layer[0].n: must be > 0 (got -1.3)\n"
               "t.toml:11: layer[0].thickness_nm: must be a finite number (got nan)\n"
               "t.toml:1: substrate: missing; must be a table that names a medium\n");

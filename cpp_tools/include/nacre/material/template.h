@@ -128,8 +128,19 @@ struct ParameterSpec {
     int line = 0;
 };
 
+/// How far the values of a material can be trusted.
+enum class Status {
+    measured,  ///< the stack was measured on one specimen, and so were its media
+    sourced,   ///< each value has a source
+    typical,   ///< some values are only of the right size
+};
+
+[[nodiscard]] std::string_view status_name(Status status);
+
 struct MaterialTemplate {
     std::string id, name, category, description, source;
+    Status status = Status::typical;
+    std::vector<std::string> tags;  ///< for searches
     std::variant<StackSpec, GratingSpec, GlassSpec> kind;
     SurfaceSpec surface;
     std::vector<ParameterSpec> parameters;
@@ -139,7 +150,8 @@ struct MaterialTemplate {
     [[nodiscard]] Interior interior() const;
 
     std::string file;    ///< for messages
-    std::string sha256;  ///< of the template's bytes
+    std::string text;    ///< the template's bytes
+    std::string sha256;  ///< of them
 };
 
 /// @param file  what to call the input in messages
