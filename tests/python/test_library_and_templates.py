@@ -186,6 +186,40 @@ def test_unknown_media_of_a_template_are_errors():
         nacre.compile_template(text.replace("water/Daimon-20C", "water/Daimon"))
 
 
+def test_an_edited_film_gets_new_texels():
+    text = (TEMPLATES / "tempered_steel.toml").read_text("utf-8")
+    compiled = nacre.compile_template(text, tolerance=1.0)
+    sizes = {name: texels.shape[:2] for name, texels in compiled.tables.items()}
+    same = nacre.preview_tables(text, sizes)
+    assert set(same) == set(sizes) - {"R_further", "R_schlick"}
+    for name, texels in same.items():
+        assert texels.shape == compiled.tables[name].shape
+        assert np.abs(texels - compiled.tables[name]).mean() < 0.01
+    other = nacre.preview_tables(text.replace("Fe/Johnson", "Cu/Johnson"), sizes)
+    assert np.abs(other["R"] - same["R"]).max() > 0.1
+    with pytest.raises(nacre.NacreError, match="no table T; compile it anew"):
+        nacre.preview_tables(text, {"T": (8, 8)})
+    with pytest.raises(nacre.NacreError, match=r"sizes\['R'\]: must be above 0"):
+        nacre.preview_tables(text, {"R": (0, 8)})
+    with pytest.raises(nacre.NacreError, match="unobtainium"):
+        nacre.preview_tables(text.replace("Fe/Johnson", "unobtainium"), sizes)
+
+
+def test_spectrum_of_a_template_is_that_of_its_stack():
+    text = (TEMPLATES / "tempered_steel.toml").read_text("utf-8")
+    text = text.replace('medium = "air"', "n = 1.0")
+    found = nacre.template_spectrum(text, 40.0, 55.0)
+    wavelengths = np.arange(360.0, 831.0)
+    n = [nacre.library.medium(key).index(wavelengths) for key in ("Fe3O4/Querry", "Fe/Johnson")]
+    stack = np.stack([np.ones(471), *n], axis=-1)
+    exact = nacre.stack(stack, [40.0], 55.0, wavelengths, pol="u")
+    np.testing.assert_allclose(found.reflectance, exact.R, atol=1e-9)
+    rgb = nacre.spectrum_to_colour(wavelengths, found.reflectance, "reflectance").rgb
+    np.testing.assert_allclose(found.colours[0], rgb, atol=1e-9)
+    with pytest.raises(nacre.NacreError, match="angle_deg"):
+        nacre.template_spectrum(text, 40.0, 91.0)
+
+
 def test_text_that_is_no_toml():
     with pytest.raises(nacre.NacreError, match=r"^template\.toml:1: "):
         nacre.compile_template("[[")

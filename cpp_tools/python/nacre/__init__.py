@@ -20,7 +20,13 @@ from ._colour import (
     rgb_to_spectrum,
     spectrum_to_colour,
 )
-from ._compile import CompiledMaterial, compile_template
+from ._compile import (
+    CompiledMaterial,
+    TemplateSpectrum,
+    compile_template,
+    preview_tables,
+    template_spectrum,
+)
 from ._film import FilmLut, Table, film_lut
 from ._grating import GratingOrders, grating_orders
 from ._models import film_reflectance, slit_intensity
@@ -40,6 +46,7 @@ __all__ = [
     "StackColour",
     "StackResult",
     "Table",
+    "TemplateSpectrum",
     "colour_matching",
     "colour_temperature",
     "compile_template",
@@ -49,11 +56,13 @@ __all__ = [
     "illuminant",
     "library",
     "map_range",
+    "preview_tables",
     "rgb_to_spectrum",
     "shapes",
     "slit_intensity",
     "spectrum_to_colour",
     "stack",
     "stack_colour",
+    "template_spectrum",
     "textures",
 ]

@@ -6,12 +6,14 @@ from __future__ import annotations
 
 import ctypes
 import json
+from collections.abc import Mapping
 from ctypes import c_void_p
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._native import check, lib, number, take_tables, text
+from ._native import WAVELENGTHS, NacreError, TableSize, check, lib, number, numbers, take_tables
+from ._native import text as encoded
 
 
 class CompiledMaterial(NamedTuple):
@@ -55,11 +57,7 @@ def compile_template(
     handle = c_void_p()
     check(
         lib.nacre_compile_template(
-            text(template, "template"),
-            text(file, "file"),
-            text(illuminant, "illuminant"),
-            text(observer, "observer"),
-            text(space, "space"),
+            *_texts(template, file, illuminant, observer, space),
             number(tolerance, "tolerance"),
             ctypes.byref(handle),
         )
@@ -72,3 +70,119 @@ def compile_template(
     finally:
         lib.nacre_result_free(handle)
     return CompiledMaterial(name, osl, json.loads(manifest), tables)
+
+
+def preview_tables(
+    template: str,
+    sizes: Mapping[str, tuple[int, int]],
+    file: str = "template.toml",
+    *,
+    illuminant: str = "D65",
+    observer: str = "cie1931",
+    space: str = "lin_rec709_scene",
+) -> dict[str, np.ndarray]:
+    """New texels for a compiled film whose stack is being edited: quick, errors not stated.
+
+    The shader and the graphs that read the old tables go on reading the new ones.
+
+    Parameters
+    ----------
+    template : str
+        Text of the edited template.
+    sizes : mapping
+        (height, width) by name of a table, as the compiled material has them. `R_further` and
+        `R_schlick` are left out of the result.
+    file, illuminant, observer, space : str
+        As of `compile_template`.
+
+    Returns
+    -------
+    dict
+        float32 (height, width, 3) by name.
+
+    Raises
+    ------
+    NacreError
+        Problems of the template, one a line; a table that such a film does not have.
+    """
+    wanted = (TableSize * len(sizes))()
+    for entry, (name, shape) in zip(wanted, sizes.items(), strict=True):
+        height, width = numbers(shape, f"sizes[{name!r}]", int, 2)
+        if not (0 < height < 2**31 and 0 < width < 2**31):
+            raise NacreError(f"sizes[{name!r}]: must be above 0 (got {shape})")
+        entry.name, entry.width, entry.height = encoded(name, "sizes"), width, height
+    handle = c_void_p()
+    check(
+        lib.nacre_preview_template(
+            *_texts(template, file, illuminant, observer, space),
+            len(sizes),
+            wanted,
+            ctypes.byref(handle),
+        )
+    )
+    try:
+        return {info.name.decode(): texels for info, texels in take_tables(handle)}
+    finally:
+        lib.nacre_result_free(handle)
+
+
+class TemplateSpectrum(NamedTuple):
+    """reflectance, transmittance: float64 (471,) over 360 ... 830 nm; colours: float64 (2, 3), of
+    both in the space, not clipped."""
+
+    reflectance: np.ndarray
+    transmittance: np.ndarray
+    colours: np.ndarray
+
+
+def template_spectrum(
+    template: str,
+    value: float = 1.0,
+    angle_deg: float = 0.0,
+    file: str = "template.toml",
+    *,
+    illuminant: str = "D65",
+    observer: str = "cie1931",
+    space: str = "lin_rec709_scene",
+) -> TemplateSpectrum:
+    """What the film of a template reflects and lets pass, unpolarised, by the exact multilayer.
+
+    Parameters
+    ----------
+    template : str
+        Text of the template.
+    value : float
+        Of what varies: a thickness in nm, or the factor on all layers; not held to its range. Where
+        nothing varies it is not looked at.
+    angle_deg : float
+        In the ambient, in [0, 90).
+    file, illuminant, observer, space : str
+        As of `compile_template`.
+
+    Raises
+    ------
+    NacreError
+        Problems of the template, one a line, or a value out of its range.
+    """
+    spectra, colours = np.empty((2, WAVELENGTHS)), np.empty((2, 3))
+    check(
+        lib.nacre_template_spectrum(
+            *_texts(template, file, illuminant, observer, space),
+            number(value, "value"),
+            number(angle_deg, "angle_deg"),
+            spectra[0].ctypes.data,
+            spectra[1].ctypes.data,
+            colours.ctypes.data,
+        )
+    )
+    return TemplateSpectrum(spectra[0], spectra[1], colours)
+
+
+def _texts(template: str, file: str, illuminant: str, observer: str, space: str) -> list[bytes]:
+    return [
+        encoded(template, "template"),
+        encoded(file, "file"),
+        encoded(illuminant, "illuminant"),
+        encoded(observer, "observer"),
+        encoded(space, "space"),
+    ]

@@ -64,6 +64,10 @@ class TableInfo(Structure):
     ]
 
 
+class TableSize(Structure):
+    _fields_ = [("name", c_char_p), ("width", c_int), ("height", c_int)]
+
+
 class Coherence(Structure):
     _fields_ = [("coherent", c_void_p), ("spread_nm", c_void_p), ("bandwidth_nm", c_double)]
 
@@ -185,6 +189,11 @@ _SIGNATURES = {
     "nacre_grating_orders": (c_int, [POINTER(Grating), c_int, c_int, c_void_p, c_void_p]),
     "nacre_film_lut": (c_int, [POINTER(Film), POINTER(c_void_p)]),
     "nacre_compile_template": (c_int, [*[c_char_p] * 5, c_double, POINTER(c_void_p)]),
+    "nacre_preview_template": (
+        c_int,
+        [*[c_char_p] * 5, c_size_t, POINTER(TableSize), POINTER(c_void_p)],
+    ),
+    "nacre_template_spectrum": (c_int, [*[c_char_p] * 5, *[c_double] * 2, *[c_void_p] * 3]),
     "nacre_result_tables": (c_size_t, [c_void_p]),
     "nacre_result_table": (c_int, [c_void_p, c_size_t, POINTER(TableInfo)]),
     "nacre_result_text": (c_char_p, [c_void_p, c_char_p]),

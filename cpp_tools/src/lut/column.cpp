@@ -27,6 +27,8 @@ constexpr std::size_t kAccumulators = kVectorBytes / sizeof(Real);
 /// At grazing incidence cosθ = 0 the coefficients of T are 0/0; this close to it R and T equal
 /// their limits (1 and 0, or 0 and 1 for matched indices) to single precision.
 constexpr double kLeastCosine = 1e-10;
+/// Below it a film in resonance has a denominator that single precision takes for 0.
+constexpr double kLeastSingleCosine = 1.0 / 32.0;
 
 /// Weighted sums of one row, spread over independent accumulators in a fixed order: the result
 /// depends neither on the instruction set nor on the number of threads.
@@ -151,6 +153,7 @@ Column::Column(const SpectralBlocks& spectral) : spectral_(&spectral)
 
 Column& Column::turn_to(double cos_theta)
 {
+    grazing_ = cos_theta < kLeastSingleCosine;
     Lanes cos_0;
     cos_0.fill(std::max(cos_theta, kLeastCosine));
     for (auto& block : blocks_) std::visit([&](auto& stack) { stack.turn_to(cos_0); }, block);
@@ -225,7 +228,7 @@ void Column::visit_reflectance(
 void Column::evaluate(double first, double step, std::span<FilmColour> out,
                       Precision precision) const
 {
-    if (precision == Precision::single_precision && all_coherent(*spectral_))
+    if (precision == Precision::single_precision && !grazing_ && all_coherent(*spectral_))
         evaluate_in<float>(first, step, out);
     else
         evaluate_in<double>(first, step, out);

@@ -56,6 +56,7 @@ private:
     /// Folded around the varying layer, prepared for a factor on all, or for incoherent layers.
     std::vector<std::variant<optics::PhaseMap, optics::ScaledStack, optics::MixedStack>> blocks_;
     const SpectralBlocks* spectral_;
+    bool grazing_ = false;
 
     template <class Real>
     void evaluate_in(double first, double step, std::span<FilmColour> out) const;

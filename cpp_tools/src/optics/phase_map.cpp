@@ -87,7 +87,9 @@ NACRE_INLINE void row_of(const PhaseMap::Coefficients<Real>& s,
         };
         const Vector n_s = form(s.n0, s.n1, s.n2, s.n3), d_s = form(s.d0, s.d1, s.d2, s.d3);
         const Vector n_p = form(p.n0, p.n1, p.n2, p.n3), d_p = form(p.d0, p.d1, p.d2, p.d3);
-        const Vector half = 0.5 / (d_s * d_p);
+        // At grazing incidence and in resonance, or without a film, both are 0 but for rounding.
+        const Vector product = d_s * d_p, one = Vector{} + Real{1};
+        const Vector half = Real{0.5} / (product > 0 ? product : one);
         store(R, i, half * (n_s * d_p + n_p * d_s));
         store(T, i, half * simd::square_root(e2) * (load(s.tau, i) * d_p + load(p.tau, i) * d_s));
         store(phase, i, E * load(turn, i));

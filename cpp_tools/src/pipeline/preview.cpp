@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/pipeline/preview.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/optics/multilayer.h"
+#include "nacre/spectral/wavelengths.h"
+
+namespace nacre::pipeline {
+namespace {
+
+using material::Interior, material::MaterialTemplate;
+
+constexpr std::string_view kBare = "_bare";
+constexpr std::array<std::string_view, 2> kLeftOut{"R_further", "R_schlick"};
+
+/// The tables of one stack that are asked for, by name without suffix.
+class Preview {
+public:
+    Preview(lut::FilmTableRequest request, Interior below, std::string file)
+        : request_(std::move(request)), below_(below), file_(std::move(file))
+    {}
+
+    lut::Table make(std::string_view name, lut::TexelSize size)
+    {
+        if (name == "R") return smooth(size).reflectance;
+        if (name == "T" && request_.transmittance) return *smooth(size).transmittance;
+        if (name == "R_rough") return rough(size).reflectance;
+        if (name == "T_rough" && request_.transmittance) return *rough(size).transmittance;
+        if (name == "R_inner" && below_ == Interior::diffuse) return inner(size).reflectance;
+        if (name == "T_inner" && below_ == Interior::diffuse) return inner(size).transmittance;
+        throw InputError(Diagnostic{
+            file_, 0, {}, fmt::format("such a film has no table {}; compile it anew", name)});
+    }
+
+private:
+    lut::FilmTableRequest request_;
+    Interior below_;
+    std::string file_;
+    std::optional<lut::FilmTables> smooth_;
+    std::optional<lut::RoughTables> rough_;
+    std::optional<lut::InnerTables> inner_;
+
+    // Both quantities of a kind have one size, and R comes before what is made from it.
+    const lut::FilmTables& smooth(lut::TexelSize size)
+    {
+        if (!smooth_) smooth_ = lut::preview_film_tables(request_, size);
+        return *smooth_;
+    }
+    const lut::RoughTables& rough(lut::TexelSize size)
+    {
+        constexpr lut::TexelSize kWhereThereIsNone{33, 33};
+        const int rows = request_.variation ? kWhereThereIsNone.height : 1;
+        if (!rough_)
+            rough_ = lut::preview_rough_tables(
+                smooth({kWhereThereIsNone.width, rows}), size,
+                below_ == Interior::solid ? lut::Bounces::one : lut::Bounces::all);
+        return *rough_;
+    }
+    const lut::InnerTables& inner(lut::TexelSize size)
+    {
+        if (!inner_) inner_ = lut::preview_inner_tables(request_, size.height);
+        return *inner_;
+    }
+};
+
+[[noreturn]] void refuse_size(const TableLayout& table, const std::string& file)
+{
+    throw InputError(Diagnostic{file,
+                                0,
+                                {},
+                                fmt::format("table {} cannot be {} x {}; compile it anew",
+                                            table.name, table.size.width, table.size.height)});
+}
+
+void check(const TableLayout& table, bool varies, const std::string& file)
+{
+    const std::string_view name = table.name;
+    const bool column = name.starts_with("R_inner") || name.starts_with("T_inner");
+    const bool rough = name.starts_with("R_rough") || name.starts_with("T_rough");
+    const int least = column ? 1 : rough ? 2 * lut::kRoughSlices : 2;
+    const bool one_row = !varies || name.ends_with(kBare);
+    constexpr int kMost = 65536;
+    if (table.size.width >= least && table.size.width <= kMost && table.size.height <= kMost &&
+        (!rough || table.size.width % lut::kRoughSlices == 0) &&
+        (one_row ? table.size.height == 1 : table.size.height >= 2))
+        return;
+    refuse_size(table, file);
+}
+
+/// The stack at thicknesses of its own; indices are filled in for each wavelength.
+optics::FilmStack stack_at(const lut::FilmTableRequest& request, double value)
+{
+    optics::FilmStack stack;
+    for (const lut::SampledLayer& layer : request.stack.layers)
+        stack.layers.push_back(
+            {.n = {}, .thickness_nm = layer.thickness_nm, .coherent = layer.coherent});
+    if (!request.variation) return stack;
+    if (request.variation->layer) {
+        stack.layers[*request.variation->layer].thickness_nm = value;
+        return stack;
+    }
+    for (optics::Layer& layer : stack.layers)
+        if (layer.coherent) layer.thickness_nm *= value;
+    return stack;
+}
+
+}  // namespace
+
+std::vector<lut::Table> preview_tables(const MaterialTemplate& source,
+                                       const CompileOptions& options,
+                                       std::span<const TableLayout> layout)
+{
+    const lut::FilmTableRequest request = film_request(source, options);
+    lut::FilmTableRequest bare_request = request;
+    bare_request.stack.layers.clear();
+    bare_request.variation.reset();
+    Preview film(request, source.interior(), source.file),
+        bare(std::move(bare_request), source.interior(), source.file);
+
+    std::vector<lut::Table> tables;
+    for (const TableLayout& wanted : layout) {
+        std::string_view name = wanted.name;
+        const bool is_bare = name.ends_with(kBare);
+        if (is_bare) name.remove_suffix(kBare.size());
+        if (std::ranges::find(kLeftOut, name) != kLeftOut.end()) continue;
+        check(wanted, request.variation.has_value(), source.file);
+        lut::Table table = (is_bare ? bare : film).make(name, wanted.size);
+        if (table.x.texels != wanted.size.width || table.y.texels != wanted.size.height)
+            refuse_size(wanted, source.file);
+        table.name = wanted.name;
+        tables.push_back(std::move(table));
+    }
+    return tables;
+}
+
+FilmSpectrum film_spectrum(const MaterialTemplate& source, const CompileOptions& options,
+                           double cos_theta, double value)
+{
+    const lut::FilmTableRequest request = film_request(source, options);
+    FilmSpectrum result{};
+    optics::FilmStack stack = stack_at(request, value);
+    for (std::size_t w = 0; w < spectral::kWavelengths; ++w) {
+        stack.ambient = request.stack.ambient[w];
+        stack.substrate = request.stack.substrate[w];
+        for (std::size_t i = 0; i < stack.layers.size(); ++i)
+            stack.layers[i].n = request.stack.layers[i].n[w];
+        const optics::PowerRatios power =
+            optics::stack_power_unpolarised(stack, cos_theta, spectral::wavelength_nm(w));
+        result.reflectance[w] = power.R;
+        result.transmittance[w] = power.T;
+    }
+    result.colour = {request.weights.apply(result.reflectance),
+                     request.weights.apply(result.transmittance)};
+    return result;
+}
+
+}  // namespace nacre::pipeline

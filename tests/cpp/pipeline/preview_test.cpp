@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/pipeline/preview.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "nacre/core/diagnostics.h"
+#include "nacre/core/resources.h"
+
+namespace nacre::pipeline {
+namespace {
+
+std::string text_of(const std::string& id)
+{
+    return std::string(find_resource("templates/" + id + ".toml").value());
+}
+
+material::MaterialTemplate shipped(const std::string& id)
+{
+    return material::parse_template(text_of(id), id + ".toml");
+}
+
+std::vector<TableLayout> layout_of(const CompiledMaterial& compiled)
+{
+    std::vector<TableLayout> layout;
+    for (const lut::Table& table : compiled.tables)
+        layout.push_back({table.name, {table.x.texels, table.y.texels}});
+    return layout;
+}
+
+TEST(PreviewTables, FitEveryKindOfFilm)
+{
+    for (const char* id : {"soap_film", "oil_on_water", "jewel_beetle", "dichroic_mirror"}) {
+        const auto source = shipped(id);
+        CompileOptions options;
+        options.tolerance = 1.0;
+        const CompiledMaterial compiled = compile(source, options);
+        const auto quick = preview_tables(source, options, layout_of(compiled));
+        std::size_t found = 0;
+        for (const lut::Table& table : compiled.tables) {
+            if (table.name.starts_with("R_further") || table.name.starts_with("R_schlick"))
+                continue;
+            ASSERT_LT(found, quick.size());
+            const lut::Table& same = quick[found++];
+            EXPECT_EQ(same.name, table.name);
+            ASSERT_EQ(same.texels.size(), table.texels.size()) << id << ' ' << table.name;
+            double sum = 0.0;
+            for (std::size_t i = 0; i < table.texels.size(); ++i)
+                sum += std::abs(same.texels[i] - table.texels[i]);
+            const double allowed = table.slices > 1 ? 0.05 : 0.002;
+            EXPECT_LT(sum / static_cast<double>(table.texels.size()), allowed)
+                << id << ' ' << table.name;
+        }
+        EXPECT_EQ(found, quick.size());
+    }
+}
+
+TEST(PreviewTables, FollowAnEdit)
+{
+    std::string text = text_of("dichroic_mirror");
+    const std::vector<TableLayout> layout{{"R", {64, 1}}};
+    const auto green =
+        preview_tables(material::parse_template(text, "t.toml"), {}, layout).front().texels;
+    for (const std::string from : {"57.3", "94.2"})
+        for (auto at = text.find(from); at != std::string::npos; at = text.find(from, at))
+            text.replace(at, from.size(), from == "57.3" ? "67.7" : "111.3");
+    const auto red =
+        preview_tables(material::parse_template(text, "t.toml"), {}, layout).front().texels;
+    const std::size_t normal = 3 * 63;
+    EXPECT_GT(green[normal + 1], green[normal]);
+    EXPECT_GT(red[normal], red[normal + 1]);
+}
+
+TEST(PreviewTables, RefuseWhatSuchAFilmDoesNotHave)
+{
+    const auto source = shipped("tempered_steel");
+    const auto problem = [&](const std::string& name, lut::TexelSize size) -> std::string {
+        try {
+            static_cast<void>(preview_tables(source, {}, std::vector<TableLayout>{{name, size}}));
+        } catch (const InputError& error) {
+            return error.diagnostics().front().text();
+        }
+        return "";
+    };
+    EXPECT_EQ(problem("T", {64, 64}),
+              "tempered_steel.toml: such a film has no table T; compile it anew");
+    EXPECT_EQ(problem("R", {64, 1}),
+              "tempered_steel.toml: table R cannot be 64 x 1; compile it anew");
+    EXPECT_EQ(problem("R_rough", {13, 64}),
+              "tempered_steel.toml: table R_rough cannot be 13 x 64; compile it anew");
+    EXPECT_EQ(problem("R_rough", {205, 64}),
+              "tempered_steel.toml: table R_rough cannot be 205 x 64; compile it anew");
+    EXPECT_EQ(problem("R", {64, 64}), "");
+}
+
+TEST(FilmSpectrum, IsWhatTheTableIsMadeFrom)
+{
+    for (const auto& [id, value] :
+         {std::pair{"soap_film", 420.0}, {"jewel_beetle", 1.1}, {"dichroic_mirror", 1.0}}) {
+        const auto source = shipped(id);
+        const auto spectrum = film_spectrum(source, {}, 0.7, value);
+        const lut::FilmColour exact = lut::exact_film_colour(film_request(source, {}), 0.7, value);
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(spectrum.colour.reflectance[c], exact.reflectance[c], 1e-9) << id;
+            EXPECT_NEAR(spectrum.colour.transmittance[c], exact.transmittance[c], 1e-9) << id;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace nacre::pipeline
