@@ -1,11 +1,23 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings of the extension that belong to a scene."""
+"""Settings of the extension that belong to a scene, and the stack of a material as the panel edits it."""
 
 from __future__ import annotations
 
 import bpy
-from bpy.props import EnumProperty
+from bpy.props import (
+    BoolProperty,
+    CollectionProperty,
+    EnumProperty,
+    FloatProperty,
+    IntProperty,
+    PointerProperty,
+    StringProperty,
+)
+
+from .core.stack import Layer, Stack, StackError
+from .nodes import live
+from .nodes import stack as stacks
 
 # The numbers are stored in .blend files: append, never reorder.
 FORMS = (
@@ -13,6 +25,119 @@ FORMS = (
     ("osl", "Open Shading Language", "Exact colours; Cycles on the CPU or with OptiX", 1),
     ("nodes", "Nodes", "Works in EEVEE and on every GPU; colours outside the gamut are clipped", 2),
 )
+ILLUMINANTS = (
+    ("D65", "D65", "Daylight", 0),
+    ("D50", "D50", "Warm daylight, as in print", 1),
+    ("D55", "D55", "Daylight, as in photography", 2),
+    ("D75", "D75", "Shade", 3),
+    ("A", "A", "Incandescent lamp", 4),
+    ("E", "E", "Equal energy at all wavelengths", 5),
+    ("F2", "F2", "Fluorescent lamp, cool white", 6),
+    ("F11", "F11", "Fluorescent lamp of three narrow bands", 7),
+)
+OBSERVERS = (
+    ("cie1931", "CIE 1931", "2 degrees, the usual one", 0),
+    ("cie1964", "CIE 1964", "10 degrees, for large fields", 1),
+)
+
+_filling: set[int] = set()  # materials whose properties follow the stored stack
+
+
+def _search_media(_self, _context, typed: str) -> list[str]:
+    """Keys of the library with every word that was typed."""
+    if not stacks.has_library():
+        return []
+    import nacre
+
+    words = typed.lower().split()
+    keys = ("air", *nacre.library.keys())
+    return [key for key in keys if all(word in key.lower() for word in words)][:200]
+
+
+def _on_edit(self, _context) -> None:
+    material = self.id_data
+    if material.session_uid not in _filling:
+        store(material)
+
+
+class NACRE_PG_layer(bpy.types.PropertyGroup):
+    medium: StringProperty(
+        name="Medium",
+        description="A key of the library such as TiO2/Sarkar, an index such as 1.5 or 2.1+0.05i, "
+        "or cauchy 1.54 0.004",
+        search=_search_media,
+        search_options={"SUGGESTION"},
+        update=_on_edit,
+    )
+    thickness_nm: FloatProperty(
+        name="Thickness (nm)",
+        description="Thickness of the layer",
+        min=0.0,
+        max=1e8,
+        soft_max=2000.0,
+        step=100,
+        precision=1,
+        update=_on_edit,
+    )
+    coherent: BoolProperty(
+        name="Coherent",
+        description="Off: too thick for interference, as a pane is",
+        default=True,
+        update=_on_edit,
+    )
+
+
+class NACRE_PG_stack(bpy.types.PropertyGroup):
+    """Follows the template that the material stores; an edit goes back into it."""
+
+    ambient: StringProperty(
+        name="Ambient",
+        description="What lies over the film",
+        search=_search_media,
+        search_options={"SUGGESTION"},
+        update=_on_edit,
+    )
+    layers: CollectionProperty(type=NACRE_PG_layer)
+    active: IntProperty(name="Layer")
+    substrate: StringProperty(
+        name="Substrate",
+        description="What the film lies on",
+        search=_search_media,
+        search_options={"SUGGESTION"},
+        update=_on_edit,
+    )
+    varying: IntProperty(default=-1)
+    low_nm: FloatProperty(
+        name="From (nm)",
+        description="Least thickness that the slider and pictures of the thickness can give",
+        min=0.0,
+        max=1e6,
+        precision=1,
+        update=_on_edit,
+    )
+    high_nm: FloatProperty(
+        name="To (nm)",
+        description="Largest thickness that the slider and pictures of the thickness can give",
+        min=0.0,
+        max=1e6,
+        precision=1,
+        default=1000.0,
+        update=_on_edit,
+    )
+    illuminant: EnumProperty(
+        name="Illuminant",
+        description="The light that white light of the scene stands for",
+        items=ILLUMINANTS,
+        update=_on_edit,
+    )
+    observer: EnumProperty(name="Observer", items=OBSERVERS, update=_on_edit)
+    plot_angle_deg: FloatProperty(
+        name="Angle (°)",
+        description="Angle of incidence of the plotted spectrum",
+        min=0.0,
+        max=89.0,
+        precision=0,
+    )
 
 
 class NACRE_PG_scene(bpy.types.PropertyGroup):
@@ -22,3 +147,64 @@ class NACRE_PG_scene(bpy.types.PropertyGroup):
         items=FORMS,
         default="auto",
     )
+
+
+def fill(material: bpy.types.Material) -> None:
+    """Shows the stack that the material stores."""
+    wanted = stacks.recipe(material)
+    stack = stacks.read_stack(wanted.template)
+    shown = material.nacre
+    _filling.add(material.session_uid)
+    try:
+        shown.ambient, shown.substrate = stack.ambient, stack.substrate
+        shown.layers.clear()
+        for layer in stack.layers:
+            item = shown.layers.add()
+            item.medium, item.thickness_nm = layer.medium, layer.thickness_nm
+            item.coherent = layer.coherent
+        shown.varying = -1 if stack.varying is None else stack.varying
+        shown.low_nm, shown.high_nm = stack.range_nm
+        shown.illuminant, shown.observer = wanted.illuminant, wanted.observer
+        shown.active = min(shown.active, max(0, len(stack.layers) - 1))
+    finally:
+        _filling.discard(material.session_uid)
+
+
+def store(material: bpy.types.Material) -> None:
+    """Takes what is shown over into the stored template, and makes it visible."""
+    shown = material.nacre
+    varying = shown.varying if 0 <= shown.varying < len(shown.layers) else None
+    before = stacks.stack_of(material)
+    stack = Stack(
+        ambient=shown.ambient,
+        layers=[Layer(i.medium, _tidy(i.thickness_nm), i.coherent) for i in shown.layers],
+        substrate=shown.substrate,
+        varying=varying,
+        range_nm=(_tidy(shown.low_nm), max(_tidy(shown.high_nm), _tidy(shown.low_nm) + 1.0)),
+        rest=before.rest,
+    )
+    try:
+        text = stacks.write_template(stack)
+    except StackError as error:
+        live.refuse(material, str(error))
+        return
+    stacks.set_recipe(material, stacks.Recipe(text, shown.illuminant, shown.observer))
+    live.changed(material)
+
+
+def _tidy(number: float) -> float:
+    """Without the digits that single precision adds."""
+    return float(f"{number:.7g}")
+
+
+CLASSES = (NACRE_PG_layer, NACRE_PG_stack, NACRE_PG_scene)
+
+
+def register() -> None:
+    bpy.types.Scene.nacre = PointerProperty(type=NACRE_PG_scene)
+    bpy.types.Material.nacre = PointerProperty(type=NACRE_PG_stack)
+
+
+def unregister() -> None:
+    del bpy.types.Material.nacre
+    del bpy.types.Scene.nacre

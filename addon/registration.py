@@ -7,16 +7,19 @@ from __future__ import annotations
 import bpy
 
 from . import properties
-from .operators import assign, fix, thickness
-from .ui import panels, preferences
+from .nodes import live
+from .operators import assign, fix, stack, thickness
+from .ui import panels, preferences, stack_panel, swatch
 
 _CLASSES = (
-    properties.NACRE_PG_scene,
+    *properties.CLASSES,
     preferences.NACRE_preferences,
     *assign.CLASSES,
     *fix.CLASSES,
     *thickness.CLASSES,
+    *stack.CLASSES,
     *panels.CLASSES,
+    *stack_panel.CLASSES,
 )
 
 _commands: list[object] = []
@@ -25,7 +28,8 @@ _commands: list[object] = []
 def register() -> None:
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
-    bpy.types.Scene.nacre = bpy.props.PointerProperty(type=properties.NACRE_PG_scene)
+    properties.register()
+    live.register()
     panels.add_to_menus()
     _commands.append(bpy.utils.register_cli_command("nacre", _run_command))
 
@@ -34,7 +38,9 @@ def unregister() -> None:
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     panels.remove_from_menus()
-    del bpy.types.Scene.nacre
+    live.unregister()
+    swatch.unregister()
+    properties.unregister()
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)
 

@@ -25,6 +25,7 @@ from .core.form import AUTO, NODES, OSL, FormError, choose_form
 from .core.library import Library
 from .core.manifest import CompiledMaterial, ManifestError, from_memory, load_folder
 from .core.oso import OsoError
+from .core.stack import StackError, edit, is_path, read_stack, write_template
 from .core.thickness import SOURCES
 from .core.values import AssignmentError, parse_assignments
 from .nodes import scene as scene_setup
@@ -38,6 +39,7 @@ EXAMPLES = """\
 examples:
   nacre render --material soap_film --stage bubble -o bubble.png
   nacre render --material oil_on_water --set thickness_nm=420 --stage furnace --size 128x128 -o oil.exr
+  nacre render --material oil_on_water --set substrate=Au/Johnson --set range_nm=0:300 -o gilt.png
   nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
   nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
   nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
@@ -50,6 +52,7 @@ _ERRORS = (
     AssignmentError,
     StageError,
     OsoError,
+    StackError,
     output.OutputError,
 )
 
@@ -123,7 +126,12 @@ def _parser() -> argparse.ArgumentParser:
         "--stage", metavar="NAME", help=f"one of {', '.join(stage_names())} (default shaderball)"
     )
     stage.add_argument(
-        "--set", metavar="NAME=VALUE", action="append", default=[], help="a value of the material"
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="a value of the material, or of its stack: layers.0.thickness_nm=420, "
+        "layers.0.medium=TiO2/Sarkar, layers.0.coherent=false, ambient, substrate, range_nm=LOW:HIGH",
     )
     stage.add_argument(
         "--vary",
@@ -258,24 +266,49 @@ def _summary(report: dict) -> str:
 
 
 def _compiled(options: argparse.Namespace) -> CompiledMaterial:
+    """The material, with its stack edited where `--set` asks for it."""
+    edits = [text for text in options.set if is_path(text.partition("=")[0])]
+    if not edits:
+        return _unedited(options)
+    if options.template is not None:
+        text, name = _read_template(options.template), str(options.template)
+    else:
+        found = _unedited(options)
+        text, name = found.template, found.id
+    stack, problems = read_stack(text), []
+    for edit_ in edits:
+        path, _, value = edit_.partition("=")
+        try:
+            stack = edit(stack, path, value)
+        except StackError as error:
+            problems.append(f"--set: {error}")
+    if problems:
+        raise UsageError("\n".join(problems))
+    return _compile_text(write_template(stack), name)
+
+
+def _unedited(options: argparse.Namespace) -> CompiledMaterial:
     if options.material is not None:
         return Library.default().load(options.material)
     if options.compiled is not None:
         return load_folder(options.compiled)
-    return _compile_template(options.template)
+    return _compile_text(_read_template(options.template), str(options.template))
 
 
-def _compile_template(path: Path) -> CompiledMaterial:
+def _read_template(path: Path) -> str:
+    try:
+        return path.read_text("utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        raise UsageError(f"--template: {path}: cannot be read: {error}") from error
+
+
+def _compile_text(text: str, name: str) -> CompiledMaterial:
     try:
         import nacre
     except ImportError as error:
-        raise UsageError(f"--template: needs the Python package nacre here: {error}") from error
+        raise UsageError(f"needs the Python package nacre here: {error}") from error
     try:
-        text = path.read_text("utf-8")
-    except (OSError, UnicodeDecodeError) as error:
-        raise UsageError(f"--template: {path}: cannot be read: {error}") from error
-    try:
-        made = nacre.compile_template(text, str(path))
+        made = nacre.compile_template(text, name)
     except nacre.NacreError as error:
         raise UsageError(str(error)) from error
     return from_memory(made.manifest, made.osl, made.tables)
@@ -283,7 +316,9 @@ def _compile_template(path: Path) -> CompiledMaterial:
 
 def _stage_job(options: argparse.Namespace) -> Job:
     compiled = _compiled(options)
-    values = parse_assignments(compiled, options.set)
+    values = parse_assignments(
+        compiled, [text for text in options.set if not is_path(text.partition("=")[0])]
+    )
     stage = build_stage(options.stage or "shaderball")
     job = Job(stage.scene)
     material = _add_material(job, compiled, options.form)

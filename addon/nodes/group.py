@@ -18,7 +18,7 @@ from .script import fill_script_node
 SCHEMA_VERSION = 1
 """Of the custom properties below; they live in saved files."""
 
-MATERIAL, KIND, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, WAVELENGTHS = (
+MATERIAL, KIND, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, TEMPLATE_TEXT, RECIPE, WAVELENGTHS = (
     "nacre_material",
     "nacre_kind",
     "nacre_form",
@@ -26,6 +26,8 @@ MATERIAL, KIND, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, WAVELENGTHS = (
     "nacre_digest",
     "nacre_sockets",
     "nacre_template_sha256",
+    "nacre_template",
+    "nacre_recipe",
     "nacre_wavelength_per_path",
 )
 
@@ -67,6 +69,7 @@ def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> No
     group[FORM] = form
     group[DIGEST] = material.digest
     group[TEMPLATE] = material.template_sha256
+    group[TEMPLATE_TEXT] = material.template
     group[WAVELENGTHS] = material.wavelength_per_path and form == OSL
     inputs = [i for i in group.interface.items_tree if getattr(i, "in_out", "") == "INPUT"]
     names = [socket.name for socket in material.sockets]

@@ -8,7 +8,7 @@ import bpy
 
 from ..core.manifest import CompiledMaterial, ManifestError, Table
 
-DIGEST = "nacre_digest"
+DIGEST, TABLE = "nacre_digest", "nacre_table"
 
 
 def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
@@ -19,8 +19,6 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     image = (
         _from_texels(material, table) if material.directory is None else _from_file(material, table)
     )
-    image.colorspace_settings.name = "Non-Color"
-    image.alpha_mode = "NONE"
     image.pack()
     # The path of the machine that made the material says nothing to the one that opens the file.
     image.filepath_raw = f"//{table.file}"
@@ -31,6 +29,7 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
             f"{table.file}: must be {table.width} x {table.height} texels (got {size[0]} x {size[1]})"
         )
     image[DIGEST] = _key(material, table)
+    image[TABLE] = table.name
     return image
 
 
@@ -49,6 +48,8 @@ def _from_file(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     except RuntimeError as error:
         raise ManifestError(f"{table.file}: {error}") from error
     image.name = f"{material.id}_{table.name}"
+    image.colorspace_settings.name = "Non-Color"
+    image.alpha_mode = "NONE"
     return image
 
 
@@ -63,8 +64,16 @@ def _from_texels(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     image = bpy.data.images.new(
         f"{material.id}_{table.name}", table.width, table.height, float_buffer=True, is_data=True
     )
-    rgba = np.ones((table.height, table.width, 4), dtype=np.float32)
-    rgba[..., :3] = texels[::-1]  # Blender's first row is the bottom one
-    image.pixels.foreach_set(rgba.ravel())
+    image.alpha_mode = "NONE"  # now: setting it later, or a colour space, would drop the pixels
+    image.pixels.foreach_set(table_pixels(texels))
     image.update()
     return image
+
+
+def table_pixels(texels):
+    """What `Image.pixels` takes for float32 (H, W, 3) texels with row 0 on top."""
+    import numpy as np
+
+    rgba = np.ones((*texels.shape[:2], 4), dtype=np.float32)
+    rgba[..., :3] = texels[::-1]  # Blender's first row is the bottom one
+    return rgba.ravel()

@@ -48,7 +48,7 @@ def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, f
         for name, identifier in old.items()
         if node.inputs[_index(node, identifier)].is_linked
     }
-    if old_group.get(groups.FORM) == form:
+    if old_group.get(groups.FORM) == form and old_group.get(groups.DIGEST) == compiled.digest:
         old_group[groups.DIGEST] = ""  # a damaged group is not to be found again
     node.node_tree = groups.material_group(compiled, form)
     names = groups.socket_identifiers(node.node_tree)

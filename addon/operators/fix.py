@@ -11,6 +11,7 @@ from ..core.form import OSL, choose_form
 from ..core.library import Library
 from ..nodes import group as groups
 from ..nodes import scene as scene_setup
+from ..nodes import stack
 from ..nodes.material import describe, group_node, rebuild_material
 from .guard import reports_errors
 
@@ -102,10 +103,16 @@ class NACRE_OT_rebuild_material(bpy.types.Operator):
     def execute(self, context):
         material = context.object.active_material
         tree = group_node(material).node_tree
-        compiled = Library.default().load(tree[groups.MATERIAL])
+        if stack.is_edited(material):
+            made_from = stack.recipe(material)
+            compiled = stack.compile_recipe(made_from, material.name)
+        else:
+            made_from, compiled = None, Library.default().load(tree[groups.MATERIAL])
         wanted = describe(material).form if self.form == "same" else self.form
         form = choose_form(compiled, wanted, scene_setup.renderer(context.scene))
         rebuild_material(material, compiled, form)
+        if made_from is not None:
+            group_node(material).node_tree[groups.RECIPE] = made_from.digest
         if form == OSL:
             scene_setup.use_osl(context.scene)
             if compiled.wavelength_per_path:

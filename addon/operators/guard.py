@@ -9,8 +9,9 @@ import functools
 from ..core.form import FormError
 from ..core.manifest import ManifestError
 from ..core.oso import OsoError
+from ..core.stack import StackError
 
-_EXPECTED = (FormError, ManifestError, OsoError, OSError, RuntimeError)
+_EXPECTED = (FormError, ManifestError, OsoError, StackError, OSError, RuntimeError)
 
 
 def reports_errors(execute):

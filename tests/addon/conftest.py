@@ -77,3 +77,17 @@ def blender(request, tmp_path) -> Blender:
 @pytest.fixture
 def blender45(tmp_path) -> Blender:
     return Blender(os.environ.get("NACRE_BPY45", sys.executable), tmp_path)
+
+
+@pytest.fixture
+def library(tmp_path):
+    """A folder with these materials, compiled by the tool that NACRE names."""
+
+    def compile_into(*names: str) -> Path:
+        templates = [ROOT / "osl" / "templates" / f"{name}.toml" for name in names]
+        tool = os.environ.get("NACRE", ROOT / "build" / "release" / "bin" / "nacre")
+        folder = tmp_path / "library"
+        subprocess.run([tool, "compile", *templates, "--quiet", "-o", folder], check=True)
+        return folder
+
+    return compile_into

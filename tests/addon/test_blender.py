@@ -19,6 +19,12 @@ def test_thickness_varies(blender, tmp_path):
     blender.script("thickness", tmp_path)
 
 
+@pytest.mark.parametrize("form", ["osl", "nodes"])
+def test_stack_is_edited(blender, tmp_path, form, library):
+    blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
+    blender.script("stack", tmp_path, form)
+
+
 @pytest.mark.parametrize(
     ("form", "material"), [("osl", "test_film"), ("nodes", "test_film"), ("osl", "test_grating")]
 )

@@ -49,7 +49,7 @@ private:
     std::optional<lut::RoughTables> rough_;
     std::optional<lut::InnerTables> inner_;
 
-    // Both quantities of a kind have one size, and R comes before what is made from it.
+    // Both quantities of a kind have one size.
     const lut::FilmTables& smooth(lut::TexelSize size)
     {
         if (!smooth_) smooth_ = lut::preview_film_tables(request_, size);
@@ -126,6 +126,12 @@ std::vector<lut::Table> preview_tables(const MaterialTemplate& source,
     Preview film(request, source.interior(), source.file),
         bare(std::move(bare_request), source.interior(), source.file);
 
+    // First what the others are made from, in whatever order they are asked for.
+    for (const TableLayout& wanted : layout)
+        if (wanted.name == "R" || wanted.name == "R_bare") {
+            check(wanted, request.variation.has_value(), source.file);
+            static_cast<void>((wanted.name == "R" ? film : bare).make("R", wanted.size));
+        }
     std::vector<lut::Table> tables;
     for (const TableLayout& wanted : layout) {
         std::string_view name = wanted.name;

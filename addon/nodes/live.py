@@ -1,0 +1,177 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Keeps edited materials up to date: quick tables at each edit, the whole material a moment later,
+compiled in a thread of its own while the interface goes on."""
+
+from __future__ import annotations
+
+import threading
+import time
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..core.manifest import ManifestError
+from ..core.stack import StackError
+from . import stack
+
+WAIT = 0.4  # seconds without an edit
+_POLL = 0.1
+
+_edited_at: dict[int, float] = {}  # material's session_uid
+_problems: dict[int, str] = {}
+_jobs: list[_Compilation] = []  # one at most
+
+
+class _Compilation(threading.Thread):
+    def __init__(self, material: bpy.types.Material):
+        super().__init__(name="nacre compile")
+        self.uid = material.session_uid
+        self.recipe = stack.recipe(material)
+        self.material_name = material.name
+        self.made = None
+        self.problem = ""
+
+    def run(self) -> None:
+        try:
+            self.made = stack.compile_recipe(self.recipe, self.material_name)
+        except (ManifestError, MemoryError, RuntimeError) as error:
+            self.problem = str(error)
+
+
+def changed(material: bpy.types.Material) -> None:
+    """After each edit of the material's recipe."""
+    _problems.pop(material.session_uid, None)
+    try:
+        stack.preview(material)
+    except (StackError, ManifestError, ValueError) as error:  # NacreError is a ValueError
+        _problems[material.session_uid] = str(error)
+        return
+    if stack.is_stale(material) and not bpy.app.background:
+        _edited_at[material.session_uid] = time.monotonic()
+        if not bpy.app.timers.is_registered(_tick):
+            bpy.app.timers.register(_tick, first_interval=_POLL)
+
+
+def warm_up(material: bpy.types.Material) -> None:
+    """Lets the first edit be as quick as the others: tables that every film needs are made once."""
+    task = stack.preview_task(material)
+    if task is not None:
+        threading.Thread(target=task, name="nacre warm-up").start()
+
+
+def refuse(material: bpy.types.Material, text: str) -> None:
+    """An edit that cannot be stored."""
+    _problems[material.session_uid] = text
+
+
+def problem(material: bpy.types.Material) -> str:
+    """What keeps the last edit from being seen, or nothing."""
+    return _problems.get(material.session_uid, "")
+
+
+def is_busy(material: bpy.types.Material) -> bool:
+    return material.session_uid in _edited_at
+
+
+def finish_all() -> None:
+    """Compiles every stale material, at once; what has problems stays as it was last right."""
+    _wait()
+    for material in bpy.data.materials:
+        if not stack.is_edited(material) or material.library is not None:
+            continue
+        _edited_at.pop(material.session_uid, None)
+        try:
+            stack.finish(material)
+        except (StackError, ManifestError) as error:
+            _problems[material.session_uid] = str(error)
+
+
+def _tick() -> float | None:
+    if _jobs:
+        if _jobs[0].is_alive():
+            return _POLL
+        _take(_jobs.pop())
+    due = time.monotonic() - WAIT
+    for uid, edited in list(_edited_at.items()):
+        material = _material(uid)
+        if material is None or not stack.is_stale(material):
+            del _edited_at[uid]
+        elif edited <= due:
+            _jobs.append(_Compilation(material))
+            _jobs[0].start()
+            break
+    return _POLL if _edited_at else None
+
+
+def _take(done: _Compilation) -> None:
+    material = _material(done.uid)
+    if material is None or not stack.is_edited(material):
+        _edited_at.pop(done.uid, None)
+        return
+    if stack.recipe(material) != done.recipe:
+        return  # edited again meanwhile; the next turn compiles that
+    _edited_at.pop(done.uid, None)
+    if done.made is None:
+        _problems[done.uid] = done.problem
+        return
+    stack.apply(material, done.made, done.recipe)
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            area.tag_redraw()
+
+
+def _material(uid: int) -> bpy.types.Material | None:
+    return next((m for m in bpy.data.materials if m.session_uid == uid), None)
+
+
+def _wait() -> None:
+    while _jobs:
+        _jobs[0].join()
+        _take(_jobs.pop())
+
+
+@persistent
+def _before_save(*_arguments) -> None:
+    finish_all()
+
+
+@persistent
+def _after_undo(*_arguments) -> None:
+    """Texels are no part of a step: images go back to what is packed, and stale nodes are compiled."""
+    for material in bpy.data.materials:
+        if not stack.is_edited(material) or stack.group_node(material) is None:
+            continue
+        for node in stack.group_node(material).node_tree.nodes:
+            if node.type == "TEX_IMAGE" and node.image is not None and node.image.is_dirty:
+                node.image.buffers_free()
+        if stack.is_stale(material):
+            changed(material)
+
+
+@persistent
+def _after_load(*_arguments) -> None:
+    _edited_at.clear()
+    _problems.clear()
+
+
+_HANDLERS = (
+    ("save_pre", _before_save),
+    ("undo_post", _after_undo),
+    ("redo_post", _after_undo),
+    ("load_post", _after_load),
+)
+
+
+def register() -> None:
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).append(handler)
+
+
+def unregister() -> None:
+    _wait()
+    if bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.unregister(_tick)
+    for name, handler in _HANDLERS:
+        getattr(bpy.app.handlers, name).remove(handler)
+    _after_load()

@@ -1,0 +1,226 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The stack that a material carries: stored as the text of its template, compiled while it is edited.
+
+Each edit puts quick tables into the material's own images at once. The whole material, with stated
+errors, fits and shader, is compiled aside a moment later (`finish`, or the timer of live.py).
+"""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from functools import partial
+
+import bpy
+
+from ..core.library import Library
+from ..core.manifest import CompiledMaterial, ManifestError, from_memory
+from ..core.stack import Stack, StackError, read_stack, write_template
+from . import group as groups
+from .image import TABLE, table_pixels
+from .material import describe, group_node, rebuild_material
+
+TEMPLATE, ILLUMINANT, OBSERVER = "nacre_template", "nacre_illuminant", "nacre_observer"
+"""Custom properties of a material whose stack was edited. The text has the schema in it."""
+
+_LEFT_TO_COMPILE = ("R_further", "R_schlick")
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """All that a compiled film depends on."""
+
+    template: str
+    illuminant: str = "D65"
+    observer: str = "cie1931"
+
+    @property
+    def colours(self) -> dict[str, str]:
+        return {"illuminant": self.illuminant, "observer": self.observer}
+
+    @property
+    def digest(self) -> str:
+        parts = "\0".join((self.template, self.illuminant, self.observer))
+        return hashlib.sha256(parts.encode()).hexdigest()
+
+
+def has_library() -> bool:
+    """Whether the Python package that computes is at hand."""
+    try:
+        import nacre  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+def is_edited(material: bpy.types.Material | None) -> bool:
+    return material is not None and TEMPLATE in material
+
+
+def recipe(material: bpy.types.Material) -> Recipe:
+    """Of the material as it is asked for: its own, or that of the library's material."""
+    if is_edited(material):
+        return Recipe(
+            material[TEMPLATE], material.get(ILLUMINANT, "D65"), material.get(OBSERVER, "cie1931")
+        )
+    tree = group_node(material).node_tree
+    text = tree.get(groups.TEMPLATE_TEXT, "")
+    if not text:
+        text = Library.default().load(tree[groups.MATERIAL]).template
+    if not text:
+        raise StackError(f"{material.name} was made by an older version: assign it again")
+    return Recipe(text)
+
+
+def stack_of(material: bpy.types.Material) -> Stack:
+    return read_stack(recipe(material).template)
+
+
+def set_recipe(material: bpy.types.Material, wanted: Recipe) -> None:
+    """Stores it; `preview` and `finish` make it visible."""
+    material[TEMPLATE] = wanted.template
+    material[ILLUMINANT] = wanted.illuminant
+    material[OBSERVER] = wanted.observer
+
+
+def set_stack(material: bpy.types.Material, stack: Stack) -> None:
+    before = recipe(material)
+    set_recipe(material, Recipe(write_template(stack), before.illuminant, before.observer))
+
+
+def is_stale(material: bpy.types.Material) -> bool:
+    """Whether the nodes were compiled from another recipe, or hold quick tables."""
+    node = group_node(material)
+    return (
+        is_edited(material)
+        and node is not None
+        and node.node_tree.get(groups.RECIPE) != recipe(material).digest
+    )
+
+
+def preview(material: bpy.types.Material) -> bool:
+    """Puts quick tables into the material's images. False where the edit changes more than
+    texels, which `finish` is needed for."""
+    wanted = recipe(material)
+    if not _same_shape(material, wanted):
+        return False
+    images = _images(_own_group(material))
+    if images is None:
+        return False
+    for name, texels in _quick_tables(wanted, _sizes(images), material.name).items():
+        images[name].pixels.foreach_set(table_pixels(texels))
+        images[name].update()
+    return True
+
+
+def preview_task(material: bpy.types.Material) -> Callable[[], object] | None:
+    """What `preview` computes, for another thread."""
+    images = _images(group_node(material).node_tree)
+    if images is None:
+        return None
+    return partial(_quick_tables, recipe(material), _sizes(images), material.name)
+
+
+def _quick_tables(wanted: Recipe, sizes: Mapping[str, tuple[int, int]], name: str):
+    import nacre
+
+    return nacre.preview_tables(wanted.template, sizes, name, **wanted.colours)
+
+
+def _images(tree: bpy.types.ShaderNodeTree) -> dict[str, bpy.types.Image] | None:
+    """By table, those that are made quickly; None where one is missing or not known."""
+    images = {node.image for node in tree.nodes if node.type == "TEX_IMAGE"}
+    if not all(image is not None and TABLE in image for image in images):
+        return None
+    return {
+        image[TABLE]: image for image in images if not image[TABLE].startswith(_LEFT_TO_COMPILE)
+    }
+
+
+def _sizes(images: Mapping[str, bpy.types.Image]) -> dict[str, tuple[int, int]]:
+    return {name: (image.size[1], image.size[0]) for name, image in images.items()}
+
+
+def compile_recipe(wanted: Recipe, name: str) -> CompiledMaterial:
+    """Takes up to seconds; touches nothing of Blender's, so that it may run in any thread.
+
+    Raises ManifestError with every problem of the template.
+    """
+    import nacre
+
+    try:
+        made = nacre.compile_template(wanted.template, name, **wanted.colours)
+    except nacre.NacreError as error:
+        raise ManifestError(str(error)) from error
+    return from_memory(made.manifest, made.osl, made.tables)
+
+
+def apply(material: bpy.types.Material, compiled: CompiledMaterial, made_from: Recipe) -> None:
+    """Puts what was compiled in place; values and links are kept."""
+    old = group_node(material).node_tree
+    rebuild_material(material, compiled, describe(material).form)
+    tree = group_node(material).node_tree
+    tree[groups.RECIPE] = made_from.digest
+    if old != tree and old.users == 0:
+        _remove(old)
+
+
+def finish(material: bpy.types.Material) -> None:
+    """Compiles, at once, what is stale."""
+    if is_stale(material):
+        wanted = recipe(material)
+        apply(material, compile_recipe(wanted, material.name), wanted)
+
+
+def revert(material: bpy.types.Material) -> None:
+    """Back to the library's material of this id."""
+    compiled = Library.default().load(group_node(material).node_tree[groups.MATERIAL])
+    for name in (TEMPLATE, ILLUMINANT, OBSERVER):
+        if name in material:
+            del material[name]
+    rebuild_material(material, compiled, describe(material).form)
+
+
+def _same_shape(material: bpy.types.Material, wanted: Recipe) -> bool:
+    """Whether only texels differ between the compiled text and the wanted one."""
+    tree = group_node(material).node_tree
+    try:
+        old = read_stack(tree.get(groups.TEMPLATE_TEXT, ""))
+    except StackError:
+        return False
+    new = read_stack(wanted.template)
+    return (
+        (old.varying is None) == (new.varying is None)
+        and (new.varying is None or old.range_nm == new.range_nm)
+        and old.rest == new.rest
+        and (old.ambient == old.substrate) == (new.ambient == new.substrate)
+    )
+
+
+def _own_group(material: bpy.types.Material) -> bpy.types.ShaderNodeTree:
+    """The material's group, with images, for it alone and not to be found for others."""
+    node = group_node(material)
+    tree = node.node_tree
+    if tree.get(groups.DIGEST) or tree.users > 1:
+        tree = tree.copy()
+        node.node_tree = tree
+        tree[groups.DIGEST] = ""
+        copies: dict[bpy.types.Image, bpy.types.Image] = {}
+        for inner in tree.nodes:
+            if inner.type == "TEX_IMAGE" and inner.image is not None:
+                if inner.image not in copies:
+                    copies[inner.image] = inner.image.copy()
+                    copies[inner.image][groups.DIGEST] = ""
+                inner.image = copies[inner.image]
+    tree[groups.RECIPE] = ""
+    return tree
+
+
+def _remove(tree: bpy.types.ShaderNodeTree) -> None:
+    images = {node.image for node in tree.nodes if node.type == "TEX_IMAGE"} - {None}
+    bpy.data.node_groups.remove(tree)
+    for image in images:
+        if image.users == 0:
+            bpy.data.images.remove(image)

@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The stack editor: layers, what lies over and under them, the light, and the colours that come of it."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..nodes import live, stack
+from ..nodes.material import group_node, kind
+from ..nodes.thickness import thickness_socket
+from . import swatch
+
+
+class NACRE_UL_layers(bpy.types.UIList):
+    def draw_item(self, _context, layout, data, item, _icon, _active, _name, index):
+        row = layout.row(align=True)
+        row.prop(item, "medium", text="", emboss=False)
+        sub = row.row(align=True)
+        sub.ui_units_x = 4.5
+        if index == data.varying:
+            sub.label(text=f"{data.low_nm:g}–{data.high_nm:g} nm")
+        else:
+            sub.prop(item, "thickness_nm", text="")
+        icon = "DECORATE_DRIVER" if index == data.varying else "DECORATE"
+        row.operator("nacre.vary_layer", text="", icon=icon, emboss=False).index = index
+        row.prop(
+            item, "coherent", text="", emboss=False, icon="MOD_WAVE" if item.coherent else "REMOVE"
+        )
+
+
+class _StackEditor:
+    bl_label = "Stack"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        material = context.object.active_material if context.object else None
+        return group_node(material) is not None and kind(material) == "film"
+
+    def draw(self, context):
+        layout = self.layout
+        material = context.object.active_material
+        if not stack.is_edited(material):
+            layout.operator("nacre.edit_stack", icon="MOD_WAVE")
+            return
+        shown = material.nacre
+        _draw_layers(layout, shown)
+        if live.problem(material):
+            box = layout.box()
+            for line in live.problem(material).splitlines():
+                box.label(text=line, icon="ERROR")
+        _draw_colours(layout, material, shown)
+        row = layout.row(align=True)
+        if live.is_busy(material):
+            row.label(text="Compiling…", icon="SORTTIME")
+        row.operator("nacre.save_template", text="Save…", icon="FILE_TICK")
+        row.operator("nacre.load_template", text="Load…", icon="FILE_FOLDER")
+        row.operator("nacre.revert_stack", text="", icon="LOOP_BACK")
+
+
+def _draw_layers(layout, shown) -> None:
+    layout.prop(shown, "ambient", icon="TRIA_DOWN_BAR")
+    row = layout.row()
+    row.template_list("NACRE_UL_layers", "", shown, "layers", shown, "active", rows=4)
+    column = row.column(align=True)
+    column.operator("nacre.add_layer", text="", icon="ADD")
+    column.operator("nacre.remove_layer", text="", icon="REMOVE")
+    column.separator()
+    column.operator("nacre.move_layer", text="", icon="TRIA_UP").direction = "UP"
+    column.operator("nacre.move_layer", text="", icon="TRIA_DOWN").direction = "DOWN"
+    layout.prop(shown, "substrate", icon="TRIA_UP_BAR")
+    if 0 <= shown.varying < len(shown.layers):
+        row = layout.row(align=True)
+        row.prop(shown, "low_nm")
+        row.prop(shown, "high_nm")
+    row = layout.row(align=True)
+    row.prop(shown, "illuminant", text="")
+    row.prop(shown, "observer", text="")
+
+
+def _draw_colours(layout, material, shown) -> None:
+    socket = thickness_socket(material)
+    value = socket.default_value if socket is not None else 1.0
+    row = layout.row()
+    column = row.column(align=True)
+    column.label(text="0–85° · thickness")
+    column.template_icon(icon_value=swatch.swatch(material), scale=6.0)
+    column = row.column(align=True)
+    column.label(text="R, 380–780 nm")
+    column.template_icon(
+        icon_value=swatch.spectrum(material, value, shown.plot_angle_deg), scale=6.0
+    )
+    layout.prop(shown, "plot_angle_deg", slider=True)
+
+
+class NACRE_PT_stack(_StackEditor, bpy.types.Panel):
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "material"
+    bl_parent_id = "NACRE_PT_material"
+
+
+class NACRE_PT_shader_editor_stack(_StackEditor, bpy.types.Panel):
+    bl_space_type = "NODE_EDITOR"
+    bl_region_type = "UI"
+    bl_category = "Nacre"
+    bl_parent_id = "NACRE_PT_shader_editor"
+
+
+CLASSES = (NACRE_UL_layers, NACRE_PT_stack, NACRE_PT_shader_editor_stack)

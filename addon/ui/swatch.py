@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Icons of an edited stack: colours over angle and thickness, and a spectrum."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import bpy
+import bpy.utils.previews
+
+from ..nodes import stack
+
+_collections: list[bpy.utils.previews.ImagePreviewCollection] = []  # one at most
+_shown: dict[str, tuple] = {}  # what each icon was drawn from
+
+COLUMNS, ROWS = 48, 96
+
+
+def swatch(material: bpy.types.Material) -> int:
+    """Icon of the colours over angle (right: grazing) and thickness (up: more)."""
+    wanted = stack.recipe(material)
+    rows = 1 if not _varies(wanted.template) else ROWS
+    return _icon(f"{material.session_uid}:swatch", (wanted, rows), _draw_swatch)
+
+
+def spectrum(material: bpy.types.Material, value: float, angle_deg: float) -> int:
+    """Icon of R from 380 to 780 nm at a value of what varies."""
+    key = (stack.recipe(material), round(value, 3), round(angle_deg, 1))
+    return _icon(f"{material.session_uid}:spectrum", key, _draw_spectrum)
+
+
+def unregister() -> None:
+    while _collections:
+        bpy.utils.previews.remove(_collections.pop())
+    _shown.clear()
+
+
+@lru_cache(maxsize=64)
+def _varies(template: str) -> bool:
+    made = stack.read_stack(template)
+    return made.varying is not None or made.has_scale
+
+
+def _icon(name: str, key: tuple, draw) -> int:
+    if not _collections:
+        _collections.append(bpy.utils.previews.new())
+    icon = _collections[0].get(name) or _collections[0].new(name)
+    if _shown.get(name) != key:
+        try:
+            picture = draw(*key)
+        except ValueError:  # of an unfinished edit; the panel says what is wrong
+            return icon.icon_id
+        icon.image_size = picture.shape[1], picture.shape[0]
+        icon.image_pixels_float.foreach_set(picture.ravel())
+        _shown[name] = key
+    return icon.icon_id
+
+
+def _draw_swatch(wanted: stack.Recipe, rows: int):
+    import nacre
+
+    from ..core import plot
+
+    tables = nacre.preview_tables(wanted.template, {"R": (rows, COLUMNS)}, **wanted.colours)
+    return plot.swatch(tables["R"])
+
+
+def _draw_spectrum(wanted: stack.Recipe, value: float, angle_deg: float):
+    import nacre
+
+    from ..core import plot
+
+    found = nacre.template_spectrum(wanted.template, value, angle_deg, **wanted.colours)
+    return plot.spectrum(found.reflectance, _wavelength_colours())
+
+
+@lru_cache(maxsize=1)
+def _wavelength_colours():
+    import numpy as np
+
+    import nacre
+
+    to_rec709 = np.array(
+        [[3.2409699, -1.5373832, -0.4986108],
+         [-0.9692436, 1.8759675, 0.0415551],
+         [0.0556301, -0.2039770, 1.0569715]]
+    )  # fmt: skip
+    return np.asarray(nacre.colour_matching("cie1931")) @ to_rec709.T

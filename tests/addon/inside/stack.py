@@ -1,0 +1,218 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The stack editor: edits are seen at once, compiled later, stored, undone, saved, reverted."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+from support import load, module, new_file
+
+extension = load()
+extension.register()
+materials = module("nodes.material")
+groups = module("nodes.group")
+stack = module("nodes.stack")
+live = module("nodes.live")
+form = sys.argv[3]
+folder = Path(sys.argv[2])
+
+
+def image_of(material, name):
+    nodes = materials.group_node(material).node_tree.nodes
+    return next(n.image for n in nodes if n.type == "TEX_IMAGE" and n.image["nacre_table"] == name)
+
+
+def texels(material, name="R"):
+    image = image_of(material, name)
+    width, height = image.size
+    values = np.empty(width * height * 4, np.float32)
+    image.pixels.foreach_get(values)
+    return values.reshape(height, width, 4)[..., :3].copy()
+
+
+def refused(call, message: str) -> None:
+    try:
+        call()
+    except RuntimeError as error:
+        said = str(error)
+    else:
+        said = "nothing"
+    assert message in said, said
+
+
+cube = new_file()
+bpy.context.scene.render.engine = "CYCLES"
+bpy.ops.nacre.assign_material(material="oil_on_water", form=form)
+material = cube.active_material
+bystander = material.copy()  # shares the group
+refused(bpy.ops.nacre.add_layer, "Start with Edit Stack")
+library_texels = texels(material)
+
+# Taken out of the library as it is: nothing is stale, nothing changes.
+assert bpy.ops.nacre.edit_stack() == {"FINISHED"}
+shown = material.nacre
+assert [layer.medium for layer in shown.layers] == ["abbe 1.47 50"]
+assert (shown.ambient, shown.substrate) == ("air", "water/Daimon-20C")
+assert (shown.varying, shown.low_nm, shown.high_nm) == (0, 0.0, 1200.0)
+assert not stack.is_stale(material)
+assert live.problem(material) == ""
+
+# Values and links are the artist's.
+socket = module("nodes.thickness").thickness_socket(material)
+socket.default_value = 333.0
+value = material.node_tree.nodes.new("ShaderNodeValue")
+roughness = materials.input_socket(material, "roughness")
+material.node_tree.links.new(value.outputs[0], roughness)
+
+# An edit is in the texels at once, and only in this material's.
+shown.substrate = "Au/Johnson"
+assert live.problem(material) == "", live.problem(material)
+assert stack.is_stale(material)
+quick = texels(material)
+assert np.abs(quick - library_texels).max() > 0.2
+assert np.array_equal(texels(bystander), library_texels)
+assert materials.group_node(bystander).node_tree != materials.group_node(material).node_tree
+assert '"Au/Johnson"' in material["nacre_template"]
+
+# The whole material: close to the quick tables, values and links kept, old data gone.
+assert bpy.ops.nacre.finish_stack() == {"FINISHED"}
+assert not stack.is_stale(material)
+node = materials.group_node(material)
+assert node.node_tree[groups.FORM] == form
+final = texels(material)
+assert final.shape[2] == 3
+assert np.abs(final[0, -1] - quick[0, -1]).max() < 0.02, (final[0, -1], quick[0, -1])
+assert module("nodes.thickness").thickness_socket(material).default_value == 333.0
+assert materials.input_socket(material, "roughness").is_linked
+assert not materials.missing_tables(material)
+used = {n.node_tree for m in bpy.data.materials for n in m.node_tree.nodes if n.type == "GROUP"}
+assert set(bpy.data.node_groups) == used, [g.name for g in bpy.data.node_groups]
+
+# Layers: added, moved, varied, removed; the slider follows its layer.
+assert bpy.ops.nacre.add_layer() == {"FINISHED"}
+assert [layer.medium for layer in shown.layers] == ["abbe 1.47 50", "SiO2/Malitson"]
+assert bpy.ops.nacre.move_layer(direction="UP") == {"FINISHED"}
+assert [layer.medium for layer in shown.layers] == ["SiO2/Malitson", "abbe 1.47 50"]
+assert (shown.varying, shown.active) == (1, 0)
+shown.layers[0].medium = "2.1+0.01i"
+shown.layers[0].thickness_nm = 62.5
+assert live.problem(material) == ""
+stored = stack.stack_of(material)
+assert (stored.layers[0].medium, stored.layers[0].thickness_nm) == ("2.1+0.01i", 62.5)
+before = texels(material)
+shown.layers[0].thickness_nm = 80.0
+assert np.abs(texels(material) - before).max() > 0.01
+assert bpy.ops.nacre.vary_layer(index=0) == {"FINISHED"}
+assert shown.varying == 0
+stack.finish(material)
+assert module("nodes.thickness").thickness_range(
+    module("nodes.thickness").thickness_socket(material)
+) == (0.0, 160.0)
+assert bpy.ops.nacre.remove_layer() == {"FINISHED"}
+assert (len(shown.layers), shown.varying) == (1, -1)
+stack.finish(material)
+assert module("nodes.thickness").thickness_socket(material) is None
+for _ in range(63):
+    bpy.ops.nacre.add_layer()
+refused(bpy.ops.nacre.add_layer, "at most 64 layers")
+while len(shown.layers) > 1:
+    bpy.ops.nacre.remove_layer()
+
+# What is wrong is said, and changes nothing that is seen.
+before = texels(material)
+shown.substrate = "unobtainium/X"
+assert "unobtainium/X" in live.problem(material)
+assert np.array_equal(texels(material), before)
+shown.substrate = ""
+assert "must be named" in live.problem(material)
+shown.substrate = "Ag/Johnson"
+assert live.problem(material) == ""
+
+# Undo takes the step back, texels too, in a file that was never saved.
+stack.finish(material)
+whole, name = texels(material), material.name
+bpy.ops.ed.undo_push(message="before")
+shown.substrate = "Cu/Johnson"
+bpy.ops.ed.undo_push(message="edit")
+assert np.abs(texels(material) - whole).max() > 0.05
+bpy.ops.ed.undo()
+material = bpy.data.materials[name]
+shown = material.nacre
+assert shown.substrate == "Ag/Johnson"
+assert np.array_equal(texels(material), whole), np.abs(texels(material) - whole).max()
+assert not stack.is_stale(material)
+
+# Light and observer are part of the recipe.
+before = texels(material)
+shown.illuminant = "A"
+assert np.abs(texels(material) - before).max() > 0.005
+assert material["nacre_illuminant"] == "A"
+stack.finish(material)
+
+# The other form, from the same recipe.
+other = {"osl": "nodes", "nodes": "osl"}[form]
+assert bpy.ops.nacre.rebuild_material(form=other) == {"FINISHED"}
+assert materials.group_node(material).node_tree[groups.FORM] == other
+assert not stack.is_stale(material)
+assert materials.input_socket(material, "roughness").is_linked
+
+# Saved while stale: compiled first. Opened again it is whole, and can go on.
+shown.layers[0].medium = "TiO2/Sarkar"
+assert stack.is_stale(material)
+blend = folder / "Schichten é.blend"
+bpy.ops.wm.save_as_mainfile(filepath=str(blend))
+assert not stack.is_stale(material)
+name, saved = material.name, texels(material)
+bpy.ops.wm.open_mainfile(filepath=str(blend))
+material = bpy.data.materials[name]
+assert np.array_equal(texels(material), saved)
+assert not stack.is_stale(material)
+assert material.nacre.layers[0].medium == "TiO2/Sarkar"
+bpy.context.view_layer.objects.active = bpy.data.objects["Cube"]
+
+# Undo takes the step back, texels too.
+bpy.ops.ed.undo_push(message="before")
+material.nacre.layers[0].thickness_nm = 10.0
+bpy.ops.ed.undo_push(message="edit")
+edited = texels(material)
+assert np.abs(edited - saved).max() > 0.01
+bpy.ops.ed.undo()
+material = bpy.data.materials[name]
+assert material.nacre.layers[0].thickness_nm != 10.0
+assert np.array_equal(texels(material), saved), np.abs(texels(material) - saved).max()
+bpy.ops.ed.redo()
+material = bpy.data.materials[name]
+assert material.nacre.layers[0].thickness_nm == 10.0
+assert np.abs(texels(material) - edited).max() < 0.02
+
+# A template goes out and comes in again.
+path = folder / "mine.toml"
+assert bpy.ops.nacre.save_template(filepath=str(path)) == {"FINISHED"}
+text = path.read_text("utf-8")
+assert text == material["nacre_template"]
+path.write_text(text.replace("TiO2/Sarkar", "SiO2/Malitson"), "utf-8")
+assert bpy.ops.nacre.load_template(filepath=str(path)) == {"FINISHED"}
+assert material.nacre.layers[0].medium == "SiO2/Malitson"
+path.write_text("schema = [", "utf-8")
+refused(lambda: bpy.ops.nacre.load_template(filepath=str(path)), "not a template")
+assert material.nacre.layers[0].medium == "SiO2/Malitson"
+
+# Back to the library.
+assert bpy.ops.nacre.revert_stack() == {"FINISHED"}
+assert not stack.is_edited(material)
+assert np.array_equal(texels(material), library_texels)
+
+# The panel's pictures.
+bpy.ops.nacre.edit_stack()
+swatch = module("ui.swatch")
+wanted = stack.recipe(material)
+assert swatch._draw_swatch(wanted, 96).shape == (256, 256, 4)
+assert swatch._draw_spectrum(wanted, 400.0, 30.0).shape == (256, 256, 4)
+extension.unregister()
+extension.register()
+assert material.nacre.layers[0].medium == "abbe 1.47 50"
+extension.unregister()
