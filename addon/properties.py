@@ -45,7 +45,7 @@ _filling: set[int] = set()  # materials whose properties follow the stored stack
 
 def _search_media(_self, _context, typed: str) -> list[str]:
     """Keys of the library with every word that was typed."""
-    if not stacks.has_library():
+    if stacks.library_problem():
         return []
     import nacre
 

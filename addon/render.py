@@ -9,42 +9,26 @@ from __future__ import annotations
 
 import argparse
 import json
-import math
-import re
 import sys
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import NoReturn
 
 import bpy
 
-from . import console, output
-from .core.form import AUTO, NODES, OSL, FormError, choose_form
+from . import batch, console, gallery, output
+from .core.form import OSL, FormError, choose_form
 from .core.library import Library
 from .core.manifest import CompiledMaterial, ManifestError, from_memory, load_folder
 from .core.oso import OsoError
 from .core.stack import StackError, edit, is_path, read_stack, write_template
-from .core.thickness import SOURCES
 from .core.values import AssignmentError, parse_assignments
 from .nodes import scene as scene_setup
 from .nodes import thickness
-from .nodes.material import create_material, set_values
-from .scenes import StageError, build_stage, stage_names
-
-DEFAULT_VIEW = "Khronos PBR Neutral"
-
-EXAMPLES = """\
-examples:
-  nacre render --material soap_film --stage bubble -o bubble.png
-  nacre render --material oil_on_water --set thickness_nm=420 --stage furnace --size 128x128 -o oil.exr
-  nacre render --material oil_on_water --set substrate=Au/Johnson --set range_nm=0:300 -o gilt.png
-  nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
-  nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
-  nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
-  nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o frames/####.exr
-"""
+from .nodes.material import create_material, input_socket, set_values
+from .options import DEFAULT_VIEW, UsageError, parse
+from .scenes import StageError, build_stage
 
 _ERRORS = (
     ManifestError,
@@ -55,17 +39,6 @@ _ERRORS = (
     StackError,
     output.OutputError,
 )
-
-
-class UsageError(Exception):
-    """Options that do not fit together, or values out of range."""
-
-
-class _Parser(argparse.ArgumentParser):
-    """Exit status 1 for wrong usage, as for every other wrong input; argparse's own is 2."""
-
-    def error(self, message: str) -> NoReturn:
-        raise UsageError(message)
 
 
 @dataclass
@@ -81,7 +54,9 @@ def main(argv: Sequence[str]) -> int:
     """Runs `render …`. Returns the exit status: 0 ok, 1 wrong usage or input."""
     console.mute_removed_engine_noise()
     try:
-        options = _parse(argv)
+        options = parse(argv)
+        if options.batch or options.gallery:
+            return _many(list(argv), options)
         outputs = [Path(path).absolute() for path in options.output]
         with console.own_stdout(options.verbose) as stdout:
             output.check(outputs)
@@ -99,141 +74,40 @@ def main(argv: Sequence[str]) -> int:
         return _fail(error)
 
 
+def _many(argv: list[str], options: argparse.Namespace) -> int:
+    """A batch or the gallery. Exit status 1 where a picture failed."""
+    folder = Path(options.output[0]).absolute()
+    given = batch.common_arguments(argv)
+    with console.own_stdout(options.verbose) as stdout:
+        rows = (
+            gallery.rows(folder, given)
+            if options.gallery
+            else batch.read_rows(options.batch, folder, given)
+        )
+        report = batch.render(rows, folder, _render_row, options.quiet)
+        if options.gallery:
+            report["page"] = str(gallery.write_page(folder, rows))
+        if options.json:
+            print(json.dumps(report, sort_keys=True), file=stdout)
+        elif not options.quiet:
+            print(batch.summary(report), file=stdout)
+    return 1 if report["failed"] else 0
+
+
+def _render_row(options: argparse.Namespace, path: Path) -> str:
+    """Renders one picture of many; the problem, or nothing."""
+    try:
+        output.check([path])
+        _run(options, [path])
+    except (UsageError, *_ERRORS) as error:
+        return str(error)
+    return ""
+
+
 def _fail(error: Exception) -> int:
     for line in str(error).splitlines():
         print(f"nacre render: {line}", file=sys.stderr)
     return 1
-
-
-def _parser() -> argparse.ArgumentParser:
-    parser = _Parser(
-        prog="nacre render",
-        description="Render a material on a stage, or a .blend with materials, through Cycles.",
-        epilog=EXAMPLES,
-        formatter_class=argparse.RawDescriptionHelpFormatter,
-    )
-    what = parser.add_argument_group("what to render (one of the four)")
-    what.add_argument("--material", metavar="ID", help="a compiled material of the library")
-    what.add_argument(
-        "--compiled", metavar="DIR", type=Path, help="the folder of a compiled material"
-    )
-    what.add_argument(
-        "--template", metavar="FILE", type=Path, help="a template, compiled on the way"
-    )
-    what.add_argument("--blend", metavar="FILE", type=Path, help="a .blend file")
-    stage = parser.add_argument_group("a material")
-    stage.add_argument(
-        "--stage", metavar="NAME", help=f"one of {', '.join(stage_names())} (default shaderball)"
-    )
-    stage.add_argument(
-        "--set",
-        metavar="NAME=VALUE",
-        action="append",
-        default=[],
-        help="a value of the material, or of its stack: layers.0.thickness_nm=420, "
-        "layers.0.medium=TiO2/Sarkar, layers.0.coherent=false, ambient, substrate, range_nm=LOW:HIGH",
-    )
-    stage.add_argument(
-        "--vary",
-        metavar="SOURCE",
-        action="append",
-        default=[],
-        choices=[item.id for item in SOURCES if item.id in ("drop", "drainage", "swirl")],
-        help="let the thickness vary: drop, drainage or swirl; may be repeated, swirl last",
-    )
-    stage.add_argument(
-        "--thickness-map", metavar="FILE", type=Path, help="a picture of the thickness, over UV"
-    )
-    stage.add_argument(
-        "--range", metavar="LOW:HIGH", type=_range, help="thicknesses of black and white in the map"
-    )
-    blend = parser.add_argument_group("a .blend file")
-    blend.add_argument("--assign", metavar="OBJECT=ID", action="append", default=[])
-    parser.add_argument("--frames", metavar="A-B", type=_frames, help="default: the current frame")
-    parser.add_argument(
-        "--form", choices=(AUTO, OSL, NODES), default=AUTO, help="of the materials (default auto)"
-    )
-    picture = parser.add_argument_group("the picture")
-    picture.add_argument("--samples", metavar="N", type=_whole(1), help="default: the stage's own")
-    picture.add_argument("--size", metavar="WxH", type=_size, help="default: the stage's own")
-    picture.add_argument("--seed", metavar="S", type=_whole(0), default=0, help="default 0")
-    picture.add_argument("--denoise", action="store_true", help="OpenImageDenoise; default off")
-    picture.add_argument(
-        "--view",
-        metavar="NAME",
-        help=f"view transform of a PNG (default {DEFAULT_VIEW!r}, a .blend keeps its own)",
-    )
-    picture.add_argument(
-        "-o",
-        "--output",
-        metavar="FILE",
-        action="append",
-        required=True,
-        help=".exr: float, scene-linear; .png: 8 bit, through the view transform; may be repeated",
-    )
-    parser.add_argument("--threads", metavar="N", type=_whole(1), help="default: all")
-    parser.add_argument("--json", action="store_true", help="print a report as JSON")
-    parser.add_argument("--quiet", action="store_true", help="print errors only")
-    parser.add_argument("-v", "--verbose", action="store_true", help="with Blender's own messages")
-    return parser
-
-
-def _whole(least: int):
-    def parse(text: str) -> int:
-        if not text.isdecimal() or not least <= int(text) <= 2**31 - 1:
-            raise argparse.ArgumentTypeError(f"must be a whole number ≥ {least} (got {text!r})")
-        return int(text)
-
-    return parse
-
-
-def _size(text: str) -> tuple[int, int]:
-    match = re.fullmatch(r"(\d+)x(\d+)", text)
-    size = tuple(map(int, match.groups())) if match else (0, 0)
-    if not all(4 <= side <= 65536 for side in size):
-        raise argparse.ArgumentTypeError(f"must be WxH, each 4 … 65536 pixels (got {text!r})")
-    return size
-
-
-def _range(text: str) -> tuple[float, float]:
-    try:
-        low, high = map(float, text.split(":"))
-    except ValueError:
-        low, high = 0.0, 0.0
-    if not (math.isfinite(low) and math.isfinite(high) and 0.0 <= low < high):
-        raise argparse.ArgumentTypeError(f"must be LOW:HIGH with 0 ≤ LOW < HIGH (got {text!r})")
-    return low, high
-
-
-def _frames(text: str) -> range:
-    match = re.fullmatch(r"(\d+)(?:-(\d+))?", text)
-    first = int(match.group(1)) if match else 1
-    last = int(match.group(2) or first) if match else 0
-    if last < first:
-        raise argparse.ArgumentTypeError(f"must be A or A-B with A ≤ B (got {text!r})")
-    return range(first, last + 1)
-
-
-def _parse(argv: Sequence[str]) -> argparse.Namespace:
-    argv = list(argv)
-    if argv[:1] == ["render"]:
-        argv = argv[1:]
-    options = _parser().parse_args(argv)
-    sources = [options.material, options.compiled, options.template, options.blend]
-    if sum(source is not None for source in sources) != 1:
-        raise UsageError("give one of --material, --compiled, --template, --blend")
-    if options.blend is None and options.assign:
-        raise UsageError("--assign needs --blend")
-    varied = options.vary or options.thickness_map
-    if options.blend is not None and (options.stage or options.set or varied):
-        raise UsageError("--stage, --set, --vary and --thickness-map do not go with --blend")
-    if options.blend is None and options.frames and "swirl" not in options.vary:
-        raise UsageError("--frames needs --blend, or --vary swirl: nothing else moves")
-    if options.range and not options.thickness_map:
-        raise UsageError("--range needs --thickness-map")
-    if options.thickness_map and set(options.vary) - {"swirl"}:
-        raise UsageError("--thickness-map goes with --vary swirl alone")
-    return options
 
 
 def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
@@ -326,12 +200,32 @@ def _stage_job(options: argparse.Namespace) -> Job:
     stage.place(material)
     if options.vary or options.thickness_map:
         _vary(material, compiled, options)
-    elif stage.dress:
+    elif stage.dress and not options.animate:
         stage.dress(material)
+    _animate(material, compiled, options)
     stage.scene.render.resolution_x, stage.scene.render.resolution_y = stage.size
     stage.scene.cycles.samples = stage.samples
     _set_view(stage.scene, options.view or DEFAULT_VIEW, strict=options.view is not None)
     return job
+
+
+def _animate(
+    material: bpy.types.Material, compiled: CompiledMaterial, options: argparse.Namespace
+) -> None:
+    """Keyframes at both ends of the frames, straight in between."""
+    ends = []
+    for text in options.animate:
+        name, _, span = text.partition("=")
+        pair = span.split(":")
+        if len(pair) != 2:
+            raise UsageError(f"--animate: must be NAME=FROM:TO (got {text!r})")
+        ends.append([parse_assignments(compiled, [f"{name}={value}"]) for value in pair])
+    bpy.context.preferences.edit.keyframe_new_interpolation_type = "LINEAR"
+    for pair in ends:
+        for values, frame in zip(pair, (options.frames[0], options.frames[-1]), strict=True):
+            set_values(material, values)
+            for name in values:
+                input_socket(material, name).keyframe_insert("default_value", frame=frame)
 
 
 def _vary(
@@ -445,6 +339,8 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
             if frame is not None:
                 scene.frame_set(frame)
                 paths = [output.frame_path(path, frame) for path in outputs]
+            if options.resume and all(path.is_file() for path in paths):
+                continue
             label = paths[0].name
             with console.Progress(label, options.quiet):
                 bpy.ops.render.render()

@@ -62,6 +62,7 @@ class CompiledMaterial:
     kind: str
     category: str
     description: str
+    source: str
     status: str  # measured, sourced or typical
     tags: tuple[str, ...]
     template: str  # the text that it was compiled from; empty where an older tool wrote none
@@ -186,6 +187,7 @@ def _material(
         kind=data["kind"],
         category=data["category"],
         description=data["description"],
+        source=data["source"],
         status=str(data.get("status", "typical")),
         tags=tuple(map(str, data.get("tags") or ())),
         template=str(data.get("template", "")),

@@ -46,13 +46,13 @@ class Recipe:
         return hashlib.sha256(parts.encode()).hexdigest()
 
 
-def has_library() -> bool:
-    """Whether the Python package that computes is at hand."""
+def library_problem() -> str:
+    """Why the Python package that computes is not at hand, or nothing."""
     try:
         import nacre  # noqa: F401
-    except ImportError:
-        return False
-    return True
+    except ImportError as error:
+        return f"Editing needs the Python package nacre: {error}"
+    return ""
 
 
 def is_edited(material: bpy.types.Material | None) -> bool:

@@ -35,8 +35,9 @@ class _FilmOperator(bpy.types.Operator):
         if not material.is_editable:
             cls.poll_message_set("The material is linked from another file")
             return False
-        if not stack.has_library():
-            cls.poll_message_set("The Python package nacre is missing; reinstall the extension")
+        problem = stack.library_problem()
+        if problem:
+            cls.poll_message_set(problem)
             return False
         return True
 

@@ -15,13 +15,13 @@ from . import swatch
 class NACRE_UL_layers(bpy.types.UIList):
     def draw_item(self, _context, layout, data, item, _icon, _active, _name, index):
         row = layout.row(align=True)
-        row.prop(item, "medium", text="", emboss=False)
+        row.label(text=item.medium)
         sub = row.row(align=True)
-        sub.ui_units_x = 4.5
+        sub.ui_units_x = 3.2
         if index == data.varying:
-            sub.label(text=f"{data.low_nm:g}–{data.high_nm:g} nm")
+            sub.label(text="varies")
         else:
-            sub.prop(item, "thickness_nm", text="")
+            sub.prop(item, "thickness_nm", text="", emboss=False)
         icon = "DECORATE_DRIVER" if index == data.varying else "DECORATE"
         row.operator("nacre.vary_layer", text="", icon=icon, emboss=False).index = index
         row.prop(
@@ -69,11 +69,16 @@ def _draw_layers(layout, shown) -> None:
     column.separator()
     column.operator("nacre.move_layer", text="", icon="TRIA_UP").direction = "UP"
     column.operator("nacre.move_layer", text="", icon="TRIA_DOWN").direction = "DOWN"
+    if 0 <= shown.active < len(shown.layers):
+        fields = layout.column(align=True)
+        layer = shown.layers[shown.active]
+        fields.prop(layer, "medium", text=f"Layer {shown.active + 1}")
+        if shown.active == shown.varying:
+            fields.prop(shown, "low_nm")
+            fields.prop(shown, "high_nm")
+        else:
+            fields.prop(layer, "thickness_nm")
     layout.prop(shown, "substrate", icon="TRIA_UP_BAR")
-    if 0 <= shown.varying < len(shown.layers):
-        row = layout.row(align=True)
-        row.prop(shown, "low_nm")
-        row.prop(shown, "high_nm")
     row = layout.row(align=True)
     row.prop(shown, "illuminant", text="")
     row.prop(shown, "observer", text="")

@@ -53,6 +53,124 @@ def test_blend_with_frames_and_assignment(blender, tmp_path):
     assert sorted(p.name for p in tmp_path.glob("f_*")) == ["f_002.exr", "f_003.exr"]
 
 
+def test_a_stack_is_edited_by_name(blender45, tmp_path, library):
+    blender45.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
+    water, gold = tmp_path / "water.exr", tmp_path / "gold.exr"
+    for path, substrate in ((water, "water/Daimon-20C"), (gold, "Au/Johnson")):
+        done = blender45.render(
+            "--material", "oil_on_water", "--set", f"substrate={substrate}", "--set",
+            "range_nm=100:300", "--set", "thickness_nm=150", *QUICK, "-o", path,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+    mean = [oiio.ImageBufAlgo.computePixelStats(oiio.ImageBuf(str(p))).avg for p in (water, gold)]
+    assert mean[0][0] < 0.35
+    assert mean[1][0] > 0.6
+    done = blender45.render(
+        "--material", "oil_on_water", "--set", "layers.4.medium=air", "--set", "substrate=",
+        *QUICK, "-o", water,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert "--set: layers.4.medium: no such layer; there are layers 0 to 0" in done.stderr
+    assert "--set: a medium must be named" in done.stderr
+
+
+BATCH = """output,material,thickness_nm,roughness,size
+a,test_film,300,,
+sub/b.exr,test_film,500,0.2,12x12
+c,test_film,99999,,
+"""
+
+
+def test_batch_goes_on_and_resumes(blender45, tmp_path):
+    table, folder = tmp_path / "Tafel é.csv", tmp_path / "out"
+    table.write_text(BATCH, "utf-8")
+    arguments = ("--batch", table, "--form", "nodes", *QUICK, "-o", folder)
+    done = blender45.render(*arguments, "--json")
+    assert done.returncode == 1
+    report = json.loads(done.stdout)
+    assert report["rendered"] == ["a.png", "sub/b.exr"]
+    assert report["kept"] == []
+    assert list(report["failed"]) == ["c.png"]
+    assert f"{table}:4: thickness_nm: must be in [0, 1200] nm (got 99999)" in done.stderr
+    spec = oiio.ImageInput.open(str(folder / "sub" / "b.exr")).spec()
+    assert (spec.width, spec.height) == (12, 12)
+    before = (folder / "a.png").stat().st_mtime_ns
+
+    table.write_text(BATCH.replace("500", "600").replace("99999", "700"), "utf-8")
+    done = blender45.render(*arguments, "--json")
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    assert report["kept"] == ["a.png"]
+    assert report["rendered"] == ["sub/b.exr", "c.png"]
+    assert (folder / "a.png").stat().st_mtime_ns == before
+    assert "2 rendered" not in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "messages"),
+    [
+        ("material\ntest_film\n", ["1: must have a column output (got material)"]),
+        ("output,material\n", ["has no rows"]),
+        (
+            "output,material\na,test_film\na.png,test_film\n../b,test_film\nc,test_film,7\nd,\n",
+            [
+                "3: output: already in line 2",
+                "4: output: must be a file in the folder",
+                "5: has more cells than the first line has names",
+                "6: give one of --material",
+            ],
+        ),
+    ],
+)
+def test_every_fault_of_a_batch_at_once(blender45, tmp_path, text, messages):
+    table = tmp_path / "b.csv"
+    table.write_text(text, "utf-8")
+    done = blender45.render("--batch", table, *QUICK, "-o", tmp_path / "out")
+    assert done.returncode == 1
+    for message in messages:
+        assert message in done.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_gallery_shows_every_material(blender45, tmp_path, library):
+    blender45.environment["NACRE_MATERIALS"] = str(library("tempered_steel", "water"))
+    folder = tmp_path / "gallery"
+    arguments = ("--gallery", "--size", "16x16", "--samples", "1", "-o", folder)
+    done = blender45.render(*arguments)
+    assert done.returncode == 0, done.stderr
+    assert "2 rendered, 0 kept" in done.stdout
+    page = (folder / "index.html").read_text("utf-8")
+    for text in (
+        "2 materials",
+        "Tempered Steel",
+        "tempered_steel_swatch.png",
+        "5–70 nm",
+        "Johnson",
+    ):
+        assert text in page
+    assert {path.name for path in folder.glob("*.png")} == {
+        "tempered_steel.png", "tempered_steel_swatch.png", "water.png",
+    }  # fmt: skip
+    assert "0 rendered, 2 kept" in blender45.render(*arguments).stdout
+
+
+def test_a_value_runs_over_the_frames(blender45, tmp_path):
+    arguments = (
+        "--material", "test_film", "--animate", "thickness_nm=100:500", "--frames", "1-3",
+        "--stage", "furnace", "--size", "16x16", "--samples", "2", "-o",
+    )  # fmt: skip
+    done = blender45.render(*arguments, tmp_path / "f_#.exr")
+    assert done.returncode == 0, done.stderr
+    still = tmp_path / "still.exr"
+    blender45.render("--material", "test_film", "--set", "thickness_nm=300", *QUICK, "-o", still)
+    blender45.script("same_pixels", still, tmp_path / "f_2.exr")
+    (tmp_path / "f_2.exr").unlink()
+    before = (tmp_path / "f_1.exr").stat().st_mtime_ns
+    done = blender45.render(*arguments, tmp_path / "f_#.exr", "--resume", "--json")
+    assert json.loads(done.stdout)["output"] == [str(tmp_path / "f_2.exr")]
+    assert (tmp_path / "f_1.exr").stat().st_mtime_ns == before
+
+
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [

@@ -1,0 +1,210 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options of `render`."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NoReturn
+
+from .core.form import AUTO, NODES, OSL
+from .core.thickness import SOURCES
+from .scenes import stage_names
+
+DEFAULT_VIEW = "Khronos PBR Neutral"
+
+EXAMPLES = """\
+examples:
+  nacre render --material soap_film --stage bubble -o bubble.png
+  nacre render --material oil_on_water --set thickness_nm=420 --stage furnace --size 128x128 -o oil.exr
+  nacre render --material oil_on_water --set substrate=Au/Johnson --set range_nm=0:300 -o gilt.png
+  nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
+  nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
+  nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-48 -o thin_##.png
+  nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
+  nacre render --batch looks.csv --stage shaderball --samples 64 -o looks/
+  nacre render --gallery --size 256x256 --samples 64 -o gallery/
+  nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o frames/####.exr
+"""
+
+
+class UsageError(Exception):
+    """Options that do not fit together, or values out of range."""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Exit status 1 for wrong usage, as for every other wrong input; argparse's own is 2."""
+
+    def error(self, message: str) -> NoReturn:
+        raise UsageError(message)
+
+
+def parser() -> argparse.ArgumentParser:
+    made = _Parser(
+        prog="nacre render",
+        description="Render a material on a stage, or a .blend with materials, through Cycles.",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    what = made.add_argument_group("what to render (one of these)")
+    what.add_argument("--material", metavar="ID", help="a compiled material of the library")
+    what.add_argument(
+        "--compiled", metavar="DIR", type=Path, help="the folder of a compiled material"
+    )
+    what.add_argument(
+        "--template", metavar="FILE", type=Path, help="a template, compiled on the way"
+    )
+    what.add_argument("--blend", metavar="FILE", type=Path, help="a .blend file")
+    what.add_argument(
+        "--batch",
+        metavar="CSV",
+        type=Path,
+        help="a picture for each row: a column `output`, others named as options or as values to set",
+    )
+    what.add_argument(
+        "--gallery",
+        action="store_true",
+        help="every material of the library, and a page about them",
+    )
+    stage = made.add_argument_group("a material")
+    stage.add_argument(
+        "--stage", metavar="NAME", help=f"one of {', '.join(stage_names())} (default shaderball)"
+    )
+    stage.add_argument(
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="a value of the material, or of its stack: layers.0.thickness_nm=420, "
+        "layers.0.medium=TiO2/Sarkar, layers.0.coherent=false, ambient, substrate, range_nm=LOW:HIGH",
+    )
+    stage.add_argument(
+        "--animate",
+        metavar="NAME=FROM:TO",
+        action="append",
+        default=[],
+        help="a value that runs evenly over --frames, such as thickness_nm=100:800",
+    )
+    stage.add_argument(
+        "--vary",
+        metavar="SOURCE",
+        action="append",
+        default=[],
+        choices=[item.id for item in SOURCES if item.id in ("drop", "drainage", "swirl")],
+        help="let the thickness vary: drop, drainage or swirl; may be repeated, swirl last",
+    )
+    stage.add_argument(
+        "--thickness-map", metavar="FILE", type=Path, help="a picture of the thickness, over UV"
+    )
+    stage.add_argument(
+        "--range", metavar="LOW:HIGH", type=_range, help="thicknesses of black and white in the map"
+    )
+    blend = made.add_argument_group("a .blend file")
+    blend.add_argument("--assign", metavar="OBJECT=ID", action="append", default=[])
+    made.add_argument("--frames", metavar="A-B", type=_frames, help="default: the current frame")
+    made.add_argument(
+        "--resume", action="store_true", help="leave out frames whose files are there already"
+    )
+    made.add_argument(
+        "--form", choices=(AUTO, OSL, NODES), default=AUTO, help="of the materials (default auto)"
+    )
+    picture = made.add_argument_group("the picture")
+    picture.add_argument("--samples", metavar="N", type=_whole(1), help="default: the stage's own")
+    picture.add_argument("--size", metavar="WxH", type=_size, help="default: the stage's own")
+    picture.add_argument("--seed", metavar="S", type=_whole(0), default=0, help="default 0")
+    picture.add_argument("--denoise", action="store_true", help="OpenImageDenoise; default off")
+    picture.add_argument(
+        "--view",
+        metavar="NAME",
+        help=f"view transform of a PNG (default {DEFAULT_VIEW!r}, a .blend keeps its own)",
+    )
+    picture.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        action="append",
+        required=True,
+        help=".exr: float, scene-linear; .png: 8 bit, through the view transform; may be repeated; "
+        "of --batch and --gallery a folder",
+    )
+    made.add_argument("--threads", metavar="N", type=_whole(1), help="default: all")
+    made.add_argument("--json", action="store_true", help="print a report as JSON")
+    made.add_argument("--quiet", action="store_true", help="print errors only")
+    made.add_argument("-v", "--verbose", action="store_true", help="with Blender's own messages")
+    return made
+
+
+def _whole(least: int):
+    def parse(text: str) -> int:
+        if not text.isdecimal() or not least <= int(text) <= 2**31 - 1:
+            raise argparse.ArgumentTypeError(f"must be a whole number ≥ {least} (got {text!r})")
+        return int(text)
+
+    return parse
+
+
+def _size(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d+)x(\d+)", text)
+    size = tuple(map(int, match.groups())) if match else (0, 0)
+    if not all(4 <= side <= 65536 for side in size):
+        raise argparse.ArgumentTypeError(f"must be WxH, each 4 … 65536 pixels (got {text!r})")
+    return size
+
+
+def _range(text: str) -> tuple[float, float]:
+    try:
+        low, high = map(float, text.split(":"))
+    except ValueError:
+        low, high = 0.0, 0.0
+    if not (math.isfinite(low) and math.isfinite(high) and 0.0 <= low < high):
+        raise argparse.ArgumentTypeError(f"must be LOW:HIGH with 0 ≤ LOW < HIGH (got {text!r})")
+    return low, high
+
+
+def _frames(text: str) -> range:
+    match = re.fullmatch(r"(\d+)(?:-(\d+))?", text)
+    first = int(match.group(1)) if match else 1
+    last = int(match.group(2) or first) if match else 0
+    if last < first:
+        raise argparse.ArgumentTypeError(f"must be A or A-B with A ≤ B (got {text!r})")
+    return range(first, last + 1)
+
+
+def parse(argv: Sequence[str]) -> argparse.Namespace:
+    argv = list(argv)
+    if argv[:1] == ["render"]:
+        argv = argv[1:]
+    options = parser().parse_args(argv)
+    if options.batch or options.gallery:
+        if options.batch and options.gallery:
+            raise UsageError("give one of --batch, --gallery")
+        if len(options.output) != 1:
+            raise UsageError("-o: one folder for all pictures")
+        return options
+    sources = [options.material, options.compiled, options.template, options.blend]
+    if sum(source is not None for source in sources) != 1:
+        raise UsageError(
+            "give one of --material, --compiled, --template, --blend, --batch, --gallery"
+        )
+    if options.blend is None and options.assign:
+        raise UsageError("--assign needs --blend")
+    varied = options.vary or options.thickness_map
+    of_a_stage = options.stage or options.set or options.animate
+    if options.blend is not None and (of_a_stage or varied):
+        raise UsageError(
+            "--stage, --set, --animate, --vary and --thickness-map do not go with --blend"
+        )
+    moves = options.blend or options.animate or "swirl" in options.vary
+    if options.frames and not moves:
+        raise UsageError("--frames needs --blend, --animate or --vary swirl: nothing else moves")
+    if options.animate and not options.frames:
+        raise UsageError("--animate needs --frames")
+    if options.range and not options.thickness_map:
+        raise UsageError("--range needs --thickness-map")
+    if options.thickness_map and set(options.vary) - {"swirl"}:
+        raise UsageError("--thickness-map goes with --vary swirl alone")
+    return options
