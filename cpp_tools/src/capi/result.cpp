@@ -2,24 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
-#include <numbers>
-#include <span>
 #include <string_view>
 
+#include "compile_options.h"
 #include "guard.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/material/template.h"
 #include "nacre/pipeline/compile.h"
-#include "nacre/pipeline/preview.h"
 #include "nacre/spectral/colour.h"
-
-struct nacre_result {
-    std::string id, osl, manifest;
-    std::vector<nacre::lut::Table> tables;
-};
+#include "result.h"
 
 namespace nacre::capi {
 namespace {
@@ -77,27 +69,6 @@ lut::FilmTableRequest film_request(const nacre_film& film)
     return request;
 }
 
-struct ColourNames {
-    const char *illuminant, *observer, *space;
-};
-
-/// For the colours of a template; refuses what is missing.
-pipeline::CompileOptions compile_options(const char* text, const char* file,
-                                         const ColourNames& colour)
-{
-    for (const auto& [pointer, field] : {std::pair{text, "text"},
-                                         {file, "file"},
-                                         {colour.illuminant, "illuminant"},
-                                         {colour.observer, "observer"},
-                                         {colour.space, "space"}})
-        require(pointer, field);
-    pipeline::CompileOptions options;
-    options.illuminant = colour.illuminant;
-    options.observer = spectral::observer_from_name(colour.observer);
-    options.space = colour.space;
-    return options;
-}
-
 }  // namespace
 }  // namespace nacre::capi
 
@@ -130,53 +101,6 @@ nacre_status nacre_compile_template(const char* text, const char* file, const ch
         auto compiled = pipeline::compile(material::parse_template(text, file), options);
         *result = new nacre_result{std::move(compiled.id), std::move(compiled.osl),
                                    std::move(compiled.manifest), std::move(compiled.tables)};
-    });
-}
-
-nacre_status nacre_preview_template(const char* text, const char* file, const char* illuminant,
-                                    const char* observer, const char* space, size_t count,
-                                    const nacre_table_size* sizes, nacre_result** result)
-{
-    using namespace nacre;
-    return capi::guarded([&] {
-        if (count > 0) capi::require(sizes, "sizes");
-        capi::require(result, "result");
-        const auto options = capi::compile_options(text, file, {illuminant, observer, space});
-        std::vector<pipeline::TableLayout> layout;
-        for (const nacre_table_size& size : std::span(sizes, count)) {
-            capi::require(size.name, "sizes.name");
-            layout.push_back({size.name, {size.width, size.height}});
-        }
-        auto made = std::make_unique<nacre_result>();
-        made->tables =
-            pipeline::preview_tables(material::parse_template(text, file), options, layout);
-        *result = made.release();
-    });
-}
-
-nacre_status nacre_template_spectrum(const char* text, const char* file, const char* illuminant,
-                                     const char* observer, const char* space, double value,
-                                     double angle_deg, double* reflectance, double* transmittance,
-                                     double* colours)
-{
-    using namespace nacre;
-    return capi::guarded([&] {
-        for (const auto& [pointer, field] : {std::pair{reflectance, "reflectance"},
-                                             {transmittance, "transmittance"},
-                                             {colours, "colours"}})
-            capi::require(pointer, field);
-        if (!(angle_deg >= 0.0 && angle_deg < 90.0))
-            capi::fail("angle_deg", fmt::format("must be in [0, 90) (got {})", angle_deg));
-        if (!(std::isfinite(value) && value >= 0.0))
-            capi::fail("value", fmt::format("must be ≥ 0 and finite (got {})", value));
-        const auto options = capi::compile_options(text, file, {illuminant, observer, space});
-        const pipeline::FilmSpectrum spectrum =
-            pipeline::film_spectrum(material::parse_template(text, file), options,
-                                    std::cos(angle_deg * std::numbers::pi / 180.0), value);
-        std::ranges::copy(spectrum.reflectance, reflectance);
-        std::ranges::copy(spectrum.transmittance, transmittance);
-        std::ranges::copy(spectrum.colour.reflectance, colours);
-        std::ranges::copy(spectrum.colour.transmittance, colours + 3);
     });
 }
 

@@ -216,46 +216,6 @@ TEST(CapiCompile, MakesTextsAndTables)
     nacre_result_free(result);
 }
 
-TEST(CapiCompile, NewTexelsForAnEditedFilm)
-{
-    const auto preview = [](const char* text, const nacre_table_size* sizes, size_t count,
-                            nacre_result** result) {
-        return nacre_preview_template(text, "film.toml", "D65", "cie1931", "lin_rec709_scene",
-                                      count, sizes, result);
-    };
-    const nacre_table_size sizes[] = {{"R", 40, 60}, {"R_schlick", 6, 20}, {"R_rough", 200, 20}};
-    nacre_result* result = nullptr;
-    ASSERT_EQ(preview(kTemplate, sizes, 3, &result), NACRE_OK) << nacre_last_error();
-    ASSERT_EQ(nacre_result_tables(result), 2U);
-    nacre_table table;
-    ASSERT_EQ(nacre_result_table(result, 1, &table), NACRE_OK);
-    EXPECT_STREQ(table.name, "R_rough");
-    EXPECT_EQ(table.width, 200);
-    EXPECT_EQ(nacre_result_text(result, "osl"), nullptr);
-    nacre_result_free(result);
-    result = nullptr;
-
-    const nacre_table_size none{"T", 40, 60};
-    EXPECT_EQ(error(preview(kTemplate, &none, 1, &result)),
-              "film.toml: such a film has no table T; compile it anew");
-    EXPECT_EQ(error(preview(kTemplate, nullptr, 1, &result)), "sizes: must not be null");
-    EXPECT_EQ(result, nullptr);
-}
-
-TEST(CapiCompile, SpectrumOfATemplate)
-{
-    std::vector<double> R(NACRE_WAVELENGTHS), T(NACRE_WAVELENGTHS), colours(6);
-    const auto spectrum = [&](double value, double angle_deg) {
-        return nacre_template_spectrum(kTemplate, "film.toml", "D65", "cie1931", "lin_rec709_scene",
-                                       value, angle_deg, R.data(), T.data(), colours.data());
-    };
-    ASSERT_EQ(spectrum(200.0, 30.0), NACRE_OK) << nacre_last_error();
-    for (std::size_t i = 0; i < R.size(); ++i) EXPECT_NEAR(R[i] + T[i], 1.0, 1e-12);
-    EXPECT_GT(colours[0], 0.0);
-    EXPECT_EQ(error(spectrum(200.0, 90.0)), "angle_deg: must be in [0, 90) (got 90)");
-    EXPECT_EQ(error(spectrum(-1.0, 0.0)), "value: must be ≥ 0 and finite (got -1)");
-}
-
 TEST(CapiCompile, NamesFileLineAndField)
 {
     nacre_result* result = nullptr;

@@ -1,0 +1,52 @@
+/* SPDX-FileCopyrightText: Nacre contributors */
+/* SPDX-License-Identifier: Apache-2.0 */
+#ifndef NACRE_CAPI_TEMPLATES_H
+#define NACRE_CAPI_TEMPLATES_H
+
+#include "nacre/capi.h"
+
+/**
+ * @file
+ * The film of a template while it is edited; the rules of nacre/capi.h hold.
+ */
+
+/* C names are lower case with a prefix. NOLINTBEGIN(readability-identifier-naming) */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A table that a compiled material has, as its manifest states it. */
+typedef struct nacre_table_size {
+    const char* name;
+    int width, height;
+} nacre_table_size;
+
+/**
+ * Tables of these names and sizes for a film that is being edited, quickly and without stated
+ * errors; `R_further` and `R_schlick` are left out.
+ */
+NACRE_API nacre_status nacre_preview_template(const char* text, const char* file,
+                                              const char* illuminant, const char* observer,
+                                              const char* space, size_t count,
+                                              const nacre_table_size* sizes, nacre_result** result);
+
+/**
+ * What the film of a template reflects and lets pass, unpolarised.
+ * @param value         of what varies, nm or a factor; not held to its range
+ * @param angle_deg     in the ambient, in [0, 90)
+ * @param reflectance   NACRE_WAVELENGTHS, 360 ... 830 nm; `transmittance` too
+ * @param colours       2 x 3: of both, in the space
+ */
+NACRE_API nacre_status nacre_template_spectrum(const char* text, const char* file,
+                                               const char* illuminant, const char* observer,
+                                               const char* space, double value, double angle_deg,
+                                               double* reflectance, double* transmittance,
+                                               double* colours);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
+
+/* NOLINTEND(readability-identifier-naming) */
