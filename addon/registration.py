@@ -7,13 +7,15 @@ from __future__ import annotations
 import bpy
 
 from . import properties
-from .nodes import live
-from .operators import assign, fix, stack, thickness
+from .nodes import assets as asset_library
+from .nodes import fallback, live
+from .operators import assets, assign, fix, stack, thickness
 from .ui import panels, preferences, stack_panel, swatch
 
 _CLASSES = (
     *properties.CLASSES,
     preferences.NACRE_preferences,
+    *assets.CLASSES,
     *assign.CLASSES,
     *fix.CLASSES,
     *thickness.CLASSES,
@@ -30,7 +32,10 @@ def register() -> None:
         bpy.utils.register_class(cls)
     properties.register()
     live.register()
+    fallback.register()
     panels.add_to_menus()
+    if asset_library.is_built(asset_library.default_folder()):
+        asset_library.show(asset_library.default_folder())
     _commands.append(bpy.utils.register_cli_command("nacre", _run_command))
 
 
@@ -38,6 +43,8 @@ def unregister() -> None:
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     panels.remove_from_menus()
+    asset_library.hide(asset_library.default_folder())
+    fallback.unregister()
     live.unregister()
     swatch.unregister()
     properties.unregister()

@@ -42,7 +42,11 @@ def find_problems(material: AssignedMaterial, scene: SceneState) -> list[Problem
     if scene.missing_tables:
         names = ", ".join(scene.missing_tables)
         problems.append(
-            Problem(f"Table missing: {names}", "nacre.rebuild_material", "Rebuild Material")
+            Problem(
+                f"Shown flat, as tables are missing: {names}",
+                "nacre.rebuild_material",
+                "Rebuild Material",
+            )
         )
     if material.form == OSL:
         problems += _osl_problems(scene)

@@ -8,7 +8,7 @@ import bpy
 
 from ..core.manifest import CompiledMaterial, ManifestError, Table
 
-DIGEST, TABLE = "nacre_digest", "nacre_table"
+DIGEST, TABLE, FALLBACK = "nacre_digest", "nacre_table", "nacre_fallback"
 
 
 def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
@@ -34,8 +34,10 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
 
 
 def is_missing(image: bpy.types.Image | None) -> bool:
-    """Neither packed into the file nor readable from where it lies."""
-    return image is None or (image.packed_file is None and not image.has_data)
+    """Neither packed into the file nor readable from where it lies, or a stand-in for such a one."""
+    if image is None or image.get(FALLBACK):
+        return True
+    return image.packed_file is None and not image.has_data
 
 
 def _key(material: CompiledMaterial, table: Table) -> str:

@@ -4,9 +4,12 @@
 
 from __future__ import annotations
 
+from itertools import groupby
+
 import bpy
 
 from ..core.library import Library
+from ..nodes import assets
 from ..nodes.scene import has_osl
 
 
@@ -24,8 +27,12 @@ class NACRE_preferences(bpy.types.AddonPreferences):
                 icon="INFO",
             )
         layout.label(text=f"{len(library.entries())} materials in {library.root}", icon="MATERIAL")
-        for entry in library.entries().values():
-            row = layout.row()
-            row.label(text=entry.name)
-            row.label(text=entry.category)
-            row.label(text=entry.description)
+        row = layout.row()
+        row.operator("nacre.add_asset_library", icon="ASSET_MANAGER")
+        if assets.is_built(assets.default_folder()):
+            row.operator("nacre.remove_asset_library", icon="X")
+        for category, entries in groupby(library.entries().values(), key=lambda e: e.category):
+            names = ", ".join(entry.name for entry in entries)
+            split = layout.split(factor=0.25)
+            split.label(text=category)
+            split.label(text=names)

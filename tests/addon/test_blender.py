@@ -19,6 +19,16 @@ def test_thickness_varies(blender, tmp_path):
     blender.script("thickness", tmp_path)
 
 
+def test_materials_are_in_the_asset_browser(blender, library):
+    blender.environment["NACRE_MATERIALS"] = str(library("tempered_steel", "water"))
+    blender.script("assets")
+
+
+@pytest.mark.parametrize("form", ["osl", "nodes"])
+def test_missing_tables_are_flat_not_magenta(blender, tmp_path, form):
+    blender.script("missing", tmp_path, form)
+
+
 @pytest.mark.parametrize("form", ["osl", "nodes"])
 def test_stack_is_edited(blender, tmp_path, form, library):
     blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))

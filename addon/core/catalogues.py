@@ -1,0 +1,34 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Catalogues of an asset library: a path in the tree and an identifier that never changes."""
+
+from __future__ import annotations
+
+import uuid
+from collections.abc import Iterable
+from pathlib import Path
+
+FILE = "blender_assets.cats.txt"
+_NAMESPACE = uuid.UUID("5f0d6f4e-6a55-4f3c-9d3e-3f0b8b8f9a51")
+
+
+def catalogue_id(category: str) -> str:
+    """The same for the same path, on every machine."""
+    return str(uuid.uuid5(_NAMESPACE, category))
+
+
+def catalogue_text(categories: Iterable[str]) -> str:
+    """Of `blender_assets.cats.txt`: every catalogue and those above it, in order."""
+    paths = {
+        "/".join(category.split("/")[: depth + 1])
+        for category in categories
+        for depth in range(category.count("/") + 1)
+    }
+    lines = ["# Written by Nacre.", "", "VERSION 1", ""]
+    lines += [f"{catalogue_id(path)}:{path}:{path.replace('/', '-')}" for path in sorted(paths)]
+    return "\n".join(lines) + "\n"
+
+
+def thumbnail(material_id: str) -> Path:
+    """The picture that comes along, 256 x 256; it may be missing."""
+    return Path(__file__).resolve().parent.parent / "thumbnails" / f"{material_id}.jpg"

@@ -1,0 +1,134 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The library of materials as an asset library of Blender's: one .blend with catalogues, tags and pictures."""
+
+from __future__ import annotations
+
+import contextlib
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import bpy
+
+from ..core.catalogues import FILE, catalogue_id, catalogue_text, thumbnail
+from ..core.form import AUTO, NODES, FormError, choose_form
+from ..core.library import Library
+from ..core.manifest import CompiledMaterial, ManifestError
+from . import group as groups
+from . import scene as scene_setup
+from .material import create_material
+
+NAME = "Nacre"
+BLEND = "nacre_materials.blend"
+_KINDS = ("materials", "node_groups", "images", "texts")
+
+
+def default_folder() -> Path:
+    """The extension's own folder for what it makes; kept over updates."""
+    try:
+        package = __package__.rpartition(".")[0]
+        return Path(bpy.utils.extension_path_user(package, path="assets", create=True))
+    except ValueError:  # not installed as an extension
+        return Path(bpy.utils.user_resource("DATAFILES", path="nacre_assets", create=True))
+
+
+def build(folder: Path) -> tuple[int, list[str]]:
+    """Writes the asset library; returns how many materials it has, and what was left out and why.
+
+    The open file stays as it is. Materials are nodes where they can be, which works in every engine;
+    the others are OSL.
+    """
+    made: list[bpy.types.Material] = []
+    left_out: list[str] = []
+    categories: set[str] = set()
+    library = Library.default()
+    with _only_for_now():
+        for material_id in library.entries():
+            try:
+                compiled = library.load(material_id)
+                made.append(_asset(compiled))
+            except (ManifestError, FormError) as error:
+                left_out.append(f"{material_id}: {error}")
+                continue
+            categories.add(compiled.category)
+        folder.mkdir(parents=True, exist_ok=True)
+        aside = folder / f"{BLEND}.partial.blend"
+        bpy.data.libraries.write(str(aside), set(made), fake_user=True, compress=True)
+        aside.replace(folder / BLEND)
+    (folder / FILE).write_text(catalogue_text(categories), "utf-8")
+    return len(made), left_out
+
+
+def show(folder: Path) -> None:
+    """Lists the folder among the asset libraries, once."""
+    libraries = bpy.context.preferences.filepaths.asset_libraries
+    if _listed(folder) is None:
+        libraries.new(name=NAME, directory=str(folder))
+
+
+def hide(folder: Path) -> None:
+    libraries = bpy.context.preferences.filepaths.asset_libraries
+    found = _listed(folder)
+    if found is not None:
+        libraries.remove(found)
+
+
+def is_built(folder: Path) -> bool:
+    return (folder / BLEND).is_file()
+
+
+def is_shown(folder: Path) -> bool:
+    return _listed(folder) is not None
+
+
+def delete(folder: Path) -> None:
+    hide(folder)
+    shutil.rmtree(folder, ignore_errors=True)
+
+
+def _listed(folder: Path) -> bpy.types.UserAssetLibrary | None:
+    libraries = bpy.context.preferences.filepaths.asset_libraries
+    return next((lib for lib in libraries if Path(lib.path) == folder), None)
+
+
+def _asset(compiled: CompiledMaterial) -> bpy.types.Material:
+    requested = NODES if NODES in compiled.forms else AUTO
+    form = choose_form(compiled, requested, scene_setup.renderer(bpy.context.scene))
+    material = create_material(compiled, form)
+    material.asset_mark()
+    data = material.asset_data
+    data.catalog_id = catalogue_id(compiled.category)
+    data.description = compiled.description
+    data.author = NAME
+    data.license = "BSD-3-Clause"
+    for tag in (*compiled.tags, compiled.kind, compiled.status):
+        data.tags.new(tag, skip_if_exists=True)
+    picture = thumbnail(compiled.id)
+    if picture.is_file():
+        with bpy.context.temp_override(id=material):
+            bpy.ops.ed.lib_id_load_custom_preview(filepath=str(picture))
+    return material
+
+
+@contextlib.contextmanager
+def _only_for_now() -> Iterator[None]:
+    """Takes what is made out of the file again. Groups of materials in use are not shared meanwhile."""
+    before = {kind: set(getattr(bpy.data, kind)) for kind in _KINDS}
+    hidden = {
+        block: block[groups.DIGEST]
+        for kind in ("node_groups", "images")
+        for block in before[kind]
+        if groups.DIGEST in block
+    }
+    for block in hidden:
+        block[groups.DIGEST] = ""
+    try:
+        yield
+    finally:
+        for kind in _KINDS:
+            blocks = getattr(bpy.data, kind)
+            for block in set(blocks) - before[kind]:
+                blocks.remove(block)
+        for block, digest in hidden.items():
+            block[groups.DIGEST] = digest

@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Makes the pictures of the asset browser from a gallery: 256 x 256, JPEG.
+
+usage: make_thumbnails.py GALLERY -o addon/thumbnails
+
+GALLERY is what `nacre render --gallery --size 256x256` wrote.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from PIL import Image
+
+SIZE = (256, 256)
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("gallery", type=Path)
+    parser.add_argument("-o", "--output", type=Path, required=True)
+    options = parser.parse_args()
+    options.output.mkdir(parents=True, exist_ok=True)
+    templates = Path(__file__).resolve().parents[2] / "osl" / "templates"
+    wanted = {path.stem for path in templates.glob("*.toml")}
+    for old in options.output.glob("*.jpg"):
+        if old.stem not in wanted:
+            old.unlink()
+    for name in sorted(wanted):
+        picture = Image.open(options.gallery / f"{name}.png").convert("RGB")
+        if picture.size != SIZE:
+            raise SystemExit(f"{name}.png: must be {SIZE[0]} x {SIZE[1]} (got {picture.size})")
+        picture.save(options.output / f"{name}.jpg", quality=88, optimize=True)
+
+
+if __name__ == "__main__":
+    main()
