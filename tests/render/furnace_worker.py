@@ -3,11 +3,11 @@
 """Renders furnace spheres inside Blender; one process for many, see Blender.run.
 
 A job: material, form, values, size, samples, file and `lit`:
-`all` the plain furnace; `reflected` the world is black for light that passed a transparent surface;
+`all` the plain furnace; `reflected` the world is black for light that passed the film, or glass below it;
 `passed` it is white only for camera rays that went straight through the film. (Cycles meets a point
 sphere from outside only, so that light crosses one wall.) `sun` is one direction, `angle` degrees
 below the camera, and nothing else. Without a material the sphere is white glossy. `brush` lays the
-tangent to the camera's right.
+tangent to the camera's right. `spread_nm` makes the thickness uneven by that standard deviation.
 """
 
 from __future__ import annotations
@@ -22,24 +22,29 @@ from worker_support import extension, render_picture, run_jobs
 BOUNCES = ("max_bounces", "glossy_bounces", "transmission_bounces", "transparent_max_bounces")
 
 
-def light_by_transparent_depth(world: bpy.types.World, depth: int) -> None:
-    """White where the path has crossed exactly `depth` transparent surfaces, black elsewhere."""
+def light_by_depth(world: bpy.types.World, depth: int) -> None:
+    """White where the path has crossed exactly `depth` transparent surfaces and none that refracts,
+    and, where it has crossed any, came straight from the camera; black elsewhere."""
     tree = world.node_tree
     background = next(node for node in tree.nodes if node.type == "BACKGROUND")
     path = tree.nodes.new("ShaderNodeLightPath")
-    same = tree.nodes.new("ShaderNodeMath")
-    same.operation = "COMPARE"
-    same.inputs[1].default_value = depth
-    same.inputs[2].default_value = 0.5
-    tree.links.new(path.outputs["Transparent Depth"], same.inputs[0])
-    if depth == 0:
-        tree.links.new(same.outputs[0], background.inputs["Strength"])
-        return
-    straight = tree.nodes.new("ShaderNodeMath")
-    straight.operation = "MULTIPLY"
-    tree.links.new(same.outputs[0], straight.inputs[0])
-    tree.links.new(path.outputs["Is Camera Ray"], straight.inputs[1])
-    tree.links.new(straight.outputs[0], background.inputs["Strength"])
+
+    def math(operation: str, *operands) -> bpy.types.NodeSocket:
+        node = tree.nodes.new("ShaderNodeMath")
+        node.operation = operation
+        for at, operand in zip(node.inputs, operands, strict=False):
+            if isinstance(operand, bpy.types.NodeSocket):
+                tree.links.new(operand, at)
+            else:
+                at.default_value = operand
+        return node.outputs[0]
+
+    crossed = math("COMPARE", path.outputs["Transparent Depth"], float(depth), 0.5)
+    unbent = math("COMPARE", path.outputs["Transmission Depth"], 0.0, 0.5)
+    lit = math("MULTIPLY", crossed, unbent)
+    if depth > 0:
+        lit = math("MULTIPLY", lit, path.outputs["Is Camera Ray"])
+    tree.links.new(lit, background.inputs["Strength"])
 
 
 def light_by_sun(scene: bpy.types.Scene, angle: float) -> None:
@@ -73,6 +78,9 @@ def film(scene: bpy.types.Scene, job: dict) -> bpy.types.Material:
     compiled = extension("core.library").Library.default().load(job["material"])
     material = extension("nodes.material").create_material(compiled, job["form"])
     extension("nodes.material").set_values(material, job["values"])
+    if job.get("spread_nm"):
+        source = extension("nodes.thickness").add_source(material, "spread")
+        source.inputs["Spread"].default_value = job["spread_nm"]
     if job.get("brush"):
         right = tuple(scene.camera.matrix_world.col[0].to_3d())
         extension("nodes.material").set_values(material, {"tangent": right})
@@ -91,7 +99,7 @@ def render(job: dict) -> None:
     if job["lit"] == "sun":
         light_by_sun(scene, job["angle"])
     elif job["lit"] != "all":
-        light_by_transparent_depth(scene.world, 0 if job["lit"] == "reflected" else 1)
+        light_by_depth(scene.world, 0 if job["lit"] == "reflected" else 1)
     scene.cycles.seed = 0
     for bounces in BOUNCES:
         setattr(scene.cycles, bounces, 64)

@@ -9,7 +9,7 @@ from the tool's own; each path multiplies the spectra of the facets that it meet
 from __future__ import annotations
 
 import numpy as np
-from truth import WAVELENGTHS, index, layers_of, thicknesses
+from truth import WAVELENGTHS, spectra
 
 import nacre
 
@@ -17,18 +17,10 @@ NODES = np.linspace(0.0, 1.0, 513)
 MOST_BOUNCES = 12
 
 
-def facet_spectra(template: dict, value: float | None) -> np.ndarray:
+def facet_spectra(template: dict, value: float | None, spread_nm: float) -> np.ndarray:
     """R of shape (513, 471) over the facet's cosine; grazing facets mirror."""
-    layers = layers_of(template)
-    media = (template["ambient"], *layers, template["substrate"])
-    answer = nacre.stack(
-        np.stack([index(medium) for medium in media], axis=-1),
-        thicknesses(template, value),
-        np.degrees(np.arccos(NODES[1:]))[:, None],
-        WAVELENGTHS,
-        coherent=[layer.get("coherent", True) for layer in layers],
-    )
-    return np.concatenate([np.ones((1, len(WAVELENGTHS))), answer.R])
+    others = spectra(template, value, NODES[1:], spread_nm=spread_nm).R
+    return np.concatenate([np.ones((1, len(WAVELENGTHS))), others])
 
 
 def smith_lambda(w: np.ndarray, alpha: np.ndarray) -> np.ndarray:
@@ -77,10 +69,11 @@ def furnace_colours(
     alpha: tuple[float, float],
     azimuths: np.ndarray | None = None,
     paths: int = 80_000,
+    spread_nm: float = 0.0,
 ) -> np.ndarray:
     """Linear Rec. 709 of the light that a rough film reflects under D65 from everywhere, all bounces;
     shape (len(cosines), 3). Azimuths are those of the views, from the direction of alpha[0]."""
-    spectra = facet_spectra(template, value)
+    of_facets = facet_spectra(template, value, spread_nm)
     last = len(NODES) - 1
     albedos = np.zeros((len(cosines), len(WAVELENGTHS)))
     for i, cosine in enumerate(cosines):
@@ -88,8 +81,8 @@ def furnace_colours(
         for met in walk(cosine, alpha, paths, azimuth):
             if met.shape[1] == 1:  # a mean over facets, through weights
                 weights = np.bincount(np.rint(met[:, 0] * last).astype(int), minlength=last + 1)
-                albedos[i] += weights @ spectra / paths
+                albedos[i] += weights @ of_facets / paths
             elif len(met):
                 nearest = np.rint(met * last).astype(int)
-                albedos[i] += np.prod(spectra[nearest], axis=1).sum(axis=0) / paths
+                albedos[i] += np.prod(of_facets[nearest], axis=1).sum(axis=0) / paths
     return nacre.spectrum_to_colour(WAVELENGTHS, albedos).rgb

@@ -36,7 +36,8 @@ def index(medium: dict) -> np.ndarray:
         return np.array(library_index(medium["medium"]))
     if "cauchy" in medium:
         um = np.array(WAVELENGTHS) / 1000
-        return sum(c / um ** (2 * i) for i, c in enumerate(medium["cauchy"])) + 0j
+        n = sum(c / um ** (2 * i) for i, c in enumerate(medium["cauchy"]))
+        return n + 1j * medium.get("k", 0.0)
     if "abbe" in medium:
         return cauchy_from_abbe(**medium["abbe"])
     return np.full(len(WAVELENGTHS), complex(medium["n"], medium.get("k", 0.0)))
@@ -87,23 +88,62 @@ def thicknesses(template: dict, value: float | None) -> list[float]:
     return result
 
 
-def exact_colours(
-    template: dict, value: float | None, cosines: np.ndarray
-) -> dict[str, np.ndarray]:
-    """Linear Rec. 709 of R and T under D65, each of shape (len(cosines), 3)."""
+def spectra(
+    template: dict,
+    value: float | None,
+    cosines: np.ndarray,
+    from_below: bool = False,
+    spread_nm: float = 0.0,
+):
+    """R and T of the film, each of shape (len(cosines), 471); cosines in the medium that the light
+    comes from. `spread_nm`: standard deviation of the thickness that varies."""
     layers = layers_of(template)
-    media = (template["ambient"], *layers, template["substrate"])
-    answer = nacre.stack(
-        np.stack([index(medium) for medium in media], axis=-1),
-        thicknesses(template, value),
+    media = [index(m) for m in (template["ambient"], *layers, template["substrate"])]
+    nm = thicknesses(template, value)
+    coherent = [layer.get("coherent", True) for layer in layers]
+    varies = [isinstance(layer["thickness_nm"], dict) for layer in layers]
+    spread = [spread_nm if layer_varies else 0.0 for layer_varies in varies]
+    turned = slice(None, None, -1 if from_below else 1)
+    return nacre.stack(
+        np.stack(media[turned], axis=-1),
+        nm[turned],
         np.degrees(np.arccos(cosines))[:, None],
         WAVELENGTHS,
-        coherent=[layer.get("coherent", True) for layer in layers],
+        coherent=coherent[turned],
+        spread_nm=spread[turned],
     )
-    return {
-        name: nacre.spectrum_to_colour(WAVELENGTHS, getattr(answer, name)).rgb
-        for name in ("R", "T")
-    }
+
+
+def colour(spectrum: np.ndarray) -> np.ndarray:
+    """Linear Rec. 709 under D65."""
+    return nacre.spectrum_to_colour(WAVELENGTHS, spectrum).rgb
+
+
+def exact_colours(
+    template: dict, value: float | None, cosines: np.ndarray, spread_nm: float = 0.0
+) -> dict[str, np.ndarray]:
+    """Linear Rec. 709 of R and T under D65, each of shape (len(cosines), 3)."""
+    answer = spectra(template, value, cosines, spread_nm=spread_nm)
+    return {"R": colour(answer.R), "T": colour(answer.T)}
+
+
+def colours_over_base(
+    template: dict, value: float | None, cosines: np.ndarray, base: np.ndarray
+) -> np.ndarray:
+    """R + T · base · T_inner/(1 − base · R_inner), each a colour: film over a matt base. The inner
+    ones are means over the hemisphere below, ∫ 2c f(c) dc by 200 Gauss points either side of the
+    angle where the least index on the way begins to reflect totally."""
+    outside = np.real(index(template["ambient"])).max()
+    inside = np.real(index(template["substrate"])).max()
+    edge = np.sqrt(max(0.0, 1.0 - (outside / inside) ** 2))
+    points, weights = np.polynomial.legendre.leggauss(200)
+    ends = ((0.0, edge), (edge, 1.0)) if edge > 0.0 else ((0.0, 1.0),)
+    c = np.concatenate([(b - a) / 2 * points + (a + b) / 2 for a, b in ends])
+    w = np.concatenate([(b - a) / 2 * weights for a, b in ends]) * 2 * c
+    inner = spectra(template, value, c, from_below=True)
+    returned, leaving = colour(w @ inner.R), colour(w @ inner.T)
+    outer = exact_colours(template, value, cosines)
+    return outer["R"] + outer["T"] * base * leaving / (1 - base * returned)
 
 
 def pixel_cosines(size: int, edge: float = 0.0) -> tuple[np.ndarray, np.ndarray]:

@@ -178,7 +178,8 @@ spectral::Vec3 FurtherBounces::read(double slice, double cos_theta, std::size_t 
     const double x = cos_theta * (kFurtherColumns - 1);
     const std::size_t column = std::min(static_cast<std::size_t>(x), kFurtherColumns - 2);
     const auto low = std::min(static_cast<std::size_t>(slice), std::size_t{kRoughSlices - 1});
-    const double u = x - static_cast<double>(column), v = slice - static_cast<double>(low);
+    const double u = x - static_cast<double>(column);
+    const double v = slice_share(slice, static_cast<int>(low));
     spectral::Vec3 result{};
     for (std::size_t c = 0; c < 3; ++c) {
         const auto across = [&](std::size_t s) {

@@ -214,6 +214,7 @@ Errors strip_errors(const RoughColours& colours, const Texels& texels, std::size
     if (cos_theta < kLeastCountedCosine) return errors;
     const View exact(cos_theta, static_cast<double>(slice) + 0.5, colours.columns());
     const View mirror(cos_theta, 0.0, colours.columns());
+    const double share = slice_share(static_cast<double>(slice) + 0.5, static_cast<int>(slice));
     for (std::size_t y = 0; y < std::max<std::size_t>(1, size.height - 1); ++y) {
         const std::size_t up = std::min(y + 1, size.height - 1), row = exact_row(size, 2 * y + 1);
         const auto in_slice = [&](std::size_t s) {
@@ -221,7 +222,7 @@ Errors strip_errors(const RoughColours& colours, const Texels& texels, std::size
                             midpoint(texels.at(s, x, up).film, texels.at(s, x + 1, up).film));
         };
         const FilmColour below = slice == 0 ? colours.at(row, mirror).film : in_slice(slice - 1);
-        const FilmColour read = midpoint(below, in_slice(slice)),
+        const FilmColour read = mix(below, in_slice(slice), share),
                          wanted = colours.at(row, exact).film;
         errors.reflectance.add(difference(read.reflectance, wanted.reflectance));
         errors.transmittance.add(difference(read.transmittance, wanted.transmittance));
@@ -272,6 +273,13 @@ Table further_table(const Table& smooth, const RoughColours& colours, RoughSize 
 }
 
 }  // namespace
+
+double slice_share(double slice, int low) noexcept
+{
+    const auto alpha_squared = [](double at) { return at * at * at * at; };
+    return (alpha_squared(slice) - alpha_squared(low)) /
+           (alpha_squared(low + 1.0) - alpha_squared(low));
+}
 
 RoughTables bake_rough_tables(const FilmTableRequest& request, const FilmTables& smooth,
                               Bounces bounces)

@@ -104,14 +104,19 @@ double Baker::difference(const FilmColour& a, const FilmColour& b) const
     return std::max(reflected, error(a.transmittance, b.transmittance));
 }
 
+FilmColour mix(const FilmColour& a, const FilmColour& b, double t) noexcept
+{
+    FilmColour mixed{};
+    for (std::size_t c = 0; c < 3; ++c) {
+        mixed.reflectance[c] = std::lerp(a.reflectance[c], b.reflectance[c], t);
+        mixed.transmittance[c] = std::lerp(a.transmittance[c], b.transmittance[c], t);
+    }
+    return mixed;
+}
+
 FilmColour midpoint(const FilmColour& a, const FilmColour& b) noexcept
 {
-    FilmColour mean{};
-    for (std::size_t c = 0; c < 3; ++c) {
-        mean.reflectance[c] = 0.5 * (a.reflectance[c] + b.reflectance[c]);
-        mean.transmittance[c] = 0.5 * (a.transmittance[c] + b.transmittance[c]);
-    }
-    return mean;
+    return mix(a, b, 0.5);
 }
 
 int refined(int texels, double error, double allowed, int limit)

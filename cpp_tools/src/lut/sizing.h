@@ -72,6 +72,8 @@ private:
     mutable tbb::enumerable_thread_specific<Column> columns_{[this] { return Column(spectral); }};
 };
 
+/// (1 − t) a + t b
+[[nodiscard]] FilmColour mix(const FilmColour& a, const FilmColour& b, double t) noexcept;
 [[nodiscard]] FilmColour midpoint(const FilmColour& a, const FilmColour& b) noexcept;
 
 /// The error that the largest table has is not allowed.

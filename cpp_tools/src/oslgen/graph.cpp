@@ -234,6 +234,24 @@ void add_brush(Graph& graph)
     math("overall", "POWER", {mean, 0.25}, true);
 }
 
+/// Node `fraction`, the share of the slice above `floor` in what is read at `level`, as
+/// nacre_slice_share() has it.
+void add_slice_share(Calculation& calculate, const std::string& prefix, const std::string& level,
+                     const std::string& floor)
+{
+    const auto math = [&](const char* id, const char* operation,
+                          const std::vector<Json>& operands) {
+        return calculate.number(prefix + id, operation, operands);
+    };
+    const std::string at = math("at_power", "POWER", {level, 4.0});
+    const std::string low = math("low_power", "POWER", {floor, 4.0});
+    const std::string next = math("next_level", "ADD", {floor, 1.0});
+    const std::string high = math("high_power", "POWER", {next, 4.0});
+    const std::string beyond = math("beyond", "SUBTRACT", {at, low});
+    const std::string span = math("span", "SUBTRACT", {high, low});
+    math("fraction", "DIVIDE", {beyond, span});
+}
+
 /// The same for rough tables: `low` and `high`, the shares of the image's width where the slices
 /// below and above the roughness begin, and `fraction`, where between them it lies. Below the first
 /// slice, `is_smooth`, the smooth table takes the place of the lower one.
@@ -248,7 +266,7 @@ void add_level(Graph& graph, const std::string& prefix, const std::string& rough
     const std::string held = math("held", "ADD", {roughness, 0.0}, true);
     const std::string level = math("level", "MULTIPLY", {held, n});
     const std::string floor = math("floor", "FLOOR", {level});
-    math("fraction", "SUBTRACT", {level, floor});
+    add_slice_share(calculate, prefix, level, floor);
     math("is_smooth", "LESS_THAN", {level, 1.0});
     const std::string lower = math("lower", "MULTIPLY_ADD", {floor, 1.0 / n, -1.0 / n});
     math("low", "MAXIMUM", {lower, 0.0});

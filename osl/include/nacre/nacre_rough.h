@@ -6,7 +6,7 @@
 
 // Films on rough surfaces. A rough table holds NACRE_SLICES tables side by side, of roughness 0.1,
 // 0.2 … 1, each over the cosine; between two of them, and between the smooth table and the first,
-// colours are mixed.
+// colours are mixed by nacre_slice_share().
 #define NACRE_SLICES 10
 
 float nacre_level(float roughness)
@@ -23,6 +23,14 @@ color nacre_slice(string file, float slice, float x, float y, float width, float
     return nacre_table(file, column / (columns - 1.0), y, columns, height, origin_top);
 }
 
+// Share of the slice above the level `low` in what is read at `level`: linear in alpha squared, the
+// fourth power of the roughness, as means over facets and a lobe's albedo are.
+float nacre_slice_share(float level, float low)
+{
+    float below = pow(low, 4.0), above = pow(low + 1.0, 4.0);
+    return (pow(level, 4.0) - below) / (above - below);
+}
+
 // From a rough table at `level`, above the colour of a smooth surface.
 color nacre_rough_table(string file, color smooth, float level, float x, float y, float width,
                         float height, int origin_top)
@@ -30,7 +38,8 @@ color nacre_rough_table(string file, color smooth, float level, float x, float y
     float low = floor(level);
     color below = low < 1.0 ? smooth : nacre_slice(file, low, x, y, width, height, origin_top);
     if (level == low) return below;
-    return mix(below, nacre_slice(file, low + 1.0, x, y, width, height, origin_top), level - low);
+    color above = nacre_slice(file, low + 1.0, x, y, width, height, origin_top);
+    return mix(below, above, nacre_slice_share(level, low));
 }
 
 // Facets of a rough surface: GGX alpha along the tangent and across. Two surfaces without a

@@ -47,6 +47,39 @@ TEST(RoughTables, SlicesLieSideBySide)
     EXPECT_LT(table.error_max, 1.5);
 }
 
+/// Tint times albedo half-way between slices, as shaders mix them, of a metal that absorbs nothing:
+/// the mean over a sphere in even light is 1 but for what interpolation leaves.
+TEST(RoughTables, NoLightIsMadeBetweenSlices)
+{
+    const FilmTableRequest request =
+        test::request(constant(1.0), {}, constant({1e-9, 5.0}), std::nullopt);
+    const Table table =
+        bake_rough_tables(request, bake_film_tables(request), Bounces::all).reflectance;
+    const int width = table.x.texels / table.slices;
+    for (int low = 1; low < kRoughSlices; ++low) {
+        const double slice = low + 0.5, roughness = slice / kRoughSlices;
+        const double share = slice_share(slice, low);
+        double sum = 0.0, weights = 0.0;
+        for (int x = 1; x < width; ++x) {
+            const double cos_theta = static_cast<double>(x) / (width - 1);
+            const double albedo = optics::ggx_albedo(cos_theta, roughness * roughness);
+            const double tint =
+                std::lerp(texel(table, low - 1, x, 0)[1], texel(table, low, x, 0)[1], share);
+            sum += cos_theta * albedo * tint;
+            weights += cos_theta;
+        }
+        EXPECT_NEAR(sum / weights, 1.0, 2.5e-3) << "roughness " << roughness;
+    }
+}
+
+TEST(RoughTables, SharesRunFromSliceToSlice)
+{
+    EXPECT_EQ(slice_share(3.0, 3), 0.0);
+    EXPECT_EQ(slice_share(10.0, 9), 1.0);
+    // alpha = roughness²: half of alpha² lies at 2^(-1/4) of the first slice's roughness.
+    EXPECT_NEAR(slice_share(std::pow(0.5, 0.25), 0), 0.5, 1e-15);
+}
+
 /// The whole of the fast technique, between the texels too, against light that walks.
 TEST(RoughTables, TintedLobesAgreeWithLightThatWalks)
 {

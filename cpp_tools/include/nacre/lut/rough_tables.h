@@ -11,9 +11,15 @@
 namespace nacre::lut {
 
 /// Roughness (GGX alpha is its square) of the slices of a rough table: 1/n, 2/n … 1, side by side
-/// along x, each over cos_theta from 0 to 1. The smooth table is the slice of roughness 0. A shader
-/// interpolates linearly between the slices, as within them.
+/// along x, each over cos_theta from 0 to 1. The smooth table is the slice of roughness 0. Within a
+/// slice a shader interpolates linearly, between two by slice_share().
 inline constexpr int kRoughSlices = 10;
+
+/// Share of slice `low` + 1, the rest being that of slice `low`, in what is read between them at
+/// `slice` = roughness × kRoughSlices: linear in alpha², as means over facets and the albedo of a
+/// lobe are for small alpha. Linear in the roughness, tint times albedo of a surface that keeps all
+/// light would be up to 1.011.
+[[nodiscard]] double slice_share(double slice, int low) noexcept;
 
 /// Whether light that meets facets more than once is counted.
 enum class Bounces {
