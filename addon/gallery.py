@@ -11,11 +11,12 @@ from pathlib import Path
 import bpy
 
 from .batch import Row, make_row
-from .core.library import Library
+from .core.library import Entry, Library
 from .core.manifest import CompiledMaterial
 from .core.stack import read_stack
 
 _STAGES = {"film": "shaderball", "grating": "disc", "glass": "gem"}
+_STAGES_BY_TAG = {"bubble": "bubble"}
 _ANGLES_DEG = (0, 45, 70)
 _SWATCH = (64, 96)  # height, width of the table that it is drawn from
 
@@ -52,10 +53,16 @@ def rows(folder: Path, given: Sequence[str]) -> list[Row]:
     stage_given = any(word.partition("=")[0] == "--stage" for word in given)
     made = []
     for entry in Library.default().entries().values():
-        stage = [] if stage_given else ["--stage", _STAGES[entry.kind]]
+        stage = [] if stage_given else ["--stage", _stage(entry)]
         arguments = ["--material", entry.id, *stage]
         made.append(make_row(entry.id, folder, f"{entry.id}.png", given, arguments))
     return made
+
+
+def _stage(entry: Entry) -> str:
+    """Where a material is seen at its best."""
+    by_tag = (_STAGES_BY_TAG[tag] for tag in entry.tags if tag in _STAGES_BY_TAG)
+    return next(by_tag, _STAGES[entry.kind])
 
 
 def write_page(folder: Path, shown: Sequence[Row]) -> Path:

@@ -22,6 +22,7 @@ class Entry:
     category: str
     description: str
     kind: str
+    tags: tuple[str, ...] = ()
 
 
 class Library:
@@ -59,4 +60,11 @@ def _entry(folder: Path) -> Entry | None:
         return None
     if data["id"] != folder.name:
         return None
-    return Entry(data["id"], data["name"], data["category"], data["description"], data["kind"])
+    return Entry(
+        id=data["id"],
+        name=data["name"],
+        category=data["category"],
+        description=data["description"],
+        kind=data["kind"],
+        tags=tuple(map(str, data.get("tags") or ())),
+    )
