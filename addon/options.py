@@ -94,8 +94,9 @@ def parser() -> argparse.ArgumentParser:
         metavar="SOURCE",
         action="append",
         default=[],
-        choices=[item.id for item in SOURCES if item.id in ("drop", "drainage", "swirl")],
-        help="let the thickness vary: drop, drainage or swirl; may be repeated, swirl last",
+        choices=[item.id for item in SOURCES if item.stands_alone],
+        help="let the thickness vary: drop, drainage, swirl or spread; may be repeated: "
+        "swirl and spread go upon what was given before",
     )
     stage.add_argument(
         "--thickness-map", metavar="FILE", type=Path, help="a picture of the thickness, over UV"
@@ -205,6 +206,7 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
         raise UsageError("--animate needs --frames")
     if options.range and not options.thickness_map:
         raise UsageError("--range needs --thickness-map")
-    if options.thickness_map and set(options.vary) - {"swirl"}:
-        raise UsageError("--thickness-map goes with --vary swirl alone")
+    makers = {item.id for item in SOURCES if not item.goes_upon_another}
+    if options.thickness_map and makers.intersection(options.vary):
+        raise UsageError("--thickness-map goes with --vary swirl and spread alone")
     return options

@@ -38,6 +38,16 @@ class Source:
     inputs: tuple[Input, ...]
     coordinates: str | None = None  # output of Texture Coordinate that feeds `Vector`
 
+    @property
+    def goes_upon_another(self) -> bool:
+        """Whether it changes a thickness instead of making one."""
+        return any(item.name == "Thickness" for item in self.inputs)
+
+    @property
+    def stands_alone(self) -> bool:
+        """Whether it needs neither a picture nor an attribute."""
+        return all(item.name != "Value" for item in self.inputs)
+
 
 _VECTOR = Input("Vector", "Where on the surface", value=(0.0, 0.0, 0.0))
 _LEAST = Input("Minimum", "Thickness where the value is 0", share=0.0)
@@ -104,6 +114,16 @@ SOURCES = (
             _VECTOR,
         ),
         "Object",
+    ),
+    Source(
+        "spread",
+        "Spread",
+        "Unevenness too fine to be seen: each sample draws a thickness, so that fringes fade as they "
+        "do where the thickness varies within a pixel; add it upon another source",
+        (
+            Input("Thickness", "Mean thickness", share=0.4),
+            Input("Spread", "Standard deviation of the thickness", share=0.02),
+        ),
     ),
 )
 

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import bpy
@@ -16,6 +17,8 @@ SOURCE = "nacre_thickness_source"
 """Custom property of the groups below: the id of the source."""
 
 Inputs = dict[str, bpy.types.NodeSocket]
+
+_FEEDS = ("TEX_COORD", "ATTRIBUTE", "TEX_IMAGE", "VALTORGB")  # nodes that come with a source
 
 
 def thickness_socket(material: bpy.types.Material) -> bpy.types.NodeSocket | None:
@@ -47,13 +50,13 @@ def sources_of(material: bpy.types.Material) -> list[bpy.types.ShaderNodeGroup]:
 
 
 def add_source(material: bpy.types.Material, source_id: str) -> bpy.types.ShaderNodeGroup:
-    """Feeds the thickness from a source. Swirl goes upon what is there; others take its place."""
+    """Feeds the thickness from a source. Swirl and spread go upon what is there; others take its
+    place."""
     socket = thickness_socket(material)
     spec = source(source_id)
     tree = material.node_tree
     before = socket.links[0].from_socket if socket.is_linked else None
-    keeps = any(item.name == "Thickness" for item in spec.inputs)
-    if not keeps:
+    if not spec.goes_upon_another:
         remove_sources(material)
     node = tree.nodes.new("ShaderNodeGroup")
     node.node_tree = _group(spec)
@@ -64,7 +67,7 @@ def add_source(material: bpy.types.Material, source_id: str) -> bpy.types.Shader
         coordinates = tree.nodes.new("ShaderNodeTexCoord")
         coordinates.location = (node.location.x - 200.0, node.location.y - 120.0)
         tree.links.new(coordinates.outputs[spec.coordinates], node.inputs["Vector"])
-    if keeps and before is not None:
+    if spec.goes_upon_another and before is not None:
         tree.links.new(before, node.inputs["Thickness"])
     tree.links.new(node.outputs[0], socket)
     return node
@@ -78,8 +81,16 @@ def remove_sources(material: bpy.types.Material) -> None:
         tree.nodes.remove(node)
         for feed in feeds:
             used = any(output.is_linked for output in feed.outputs)
-            if not used and feed.type in ("TEX_COORD", "ATTRIBUTE", "TEX_IMAGE"):
-                tree.nodes.remove(feed)
+            if not used and feed.type in _FEEDS:
+                _remove_with_feeds(tree, feed)
+
+
+def _remove_with_feeds(tree: bpy.types.NodeTree, node: bpy.types.Node) -> None:
+    feeds = {link.from_node for socket in node.inputs for link in socket.links}
+    tree.nodes.remove(node)
+    for feed in feeds:
+        if feed.type in _FEEDS and not any(output.is_linked for output in feed.outputs):
+            _remove_with_feeds(tree, feed)
 
 
 def link_image(material: bpy.types.Material, image: bpy.types.Image) -> None:
@@ -93,14 +104,31 @@ def link_image(material: bpy.types.Material, image: bpy.types.Image) -> None:
     tree.links.new(texture.outputs["Color"], node.inputs["Value"])
 
 
-def link_attribute(material: bpy.types.Material, name: str) -> None:
-    """Feeds a source's value from an attribute of the mesh; of a colour, its grey value."""
+def link_attribute(material: bpy.types.Material, name: str, ramp: bool) -> None:
+    """Feeds a source's value from an attribute of the mesh; of a colour, its grey value. With a ramp
+    between them, what is painted can be bent: black is the minimum, white the maximum."""
     node = sources_of(material)[0]
     tree = material.node_tree
     attribute = tree.nodes.new("ShaderNodeAttribute")
     attribute.attribute_name = name
-    attribute.location = (node.location.x - 200.0, node.location.y)
-    tree.links.new(attribute.outputs["Fac"], node.inputs["Value"])
+    attribute.location = (node.location.x - (500.0 if ramp else 200.0), node.location.y)
+    fed = node.inputs["Value"]
+    if ramp:
+        between = tree.nodes.new("ShaderNodeValToRGB")
+        between.label = "From Painted to Thickness"
+        between.location = (node.location.x - 300.0, node.location.y)
+        tree.links.new(between.outputs["Color"], fed)
+        fed = between.inputs["Fac"]
+    tree.links.new(attribute.outputs["Fac"], fed)
+
+
+def ramp_of(source_node: bpy.types.ShaderNodeGroup) -> bpy.types.ShaderNodeValToRGB | None:
+    """The ramp between a painted attribute and the thickness, if there is one."""
+    value = source_node.inputs.get("Value")
+    if value is None or not value.is_linked:
+        return None
+    feed = value.links[0].from_node
+    return feed if feed.type == "VALTORGB" else None
 
 
 def animate(node: bpy.types.ShaderNodeGroup) -> None:
@@ -126,7 +154,7 @@ def _set_defaults(
             node.inputs[item.name].default_value = present
         elif item.is_thickness:
             # Of what is added to a thickness, the share of the span alone.
-            start = 0.0 if item.name == "Height" else low
+            start = 0.0 if item.name in ("Height", "Spread") else low
             node.inputs[item.name].default_value = start + item.share * (high - low)
 
 
@@ -246,6 +274,23 @@ def _carried(formula: Formula, at: Inputs, place, flow, start: float):
     return signed, formula.number("SUBTRACT", 1.0, away)
 
 
+def _spread(formula: Formula, at: Inputs) -> bpy.types.NodeSocket:
+    """A Gaussian deviate by Box and Muller (1958), from two numbers that change with the sample, as
+    its place within the pixel does."""
+    place = formula.node("ShaderNodeNewGeometry").outputs["Position"]
+    hashed = formula.node("ShaderNodeTexWhiteNoise", noise_dimensions="3D")
+    formula.put(place, hashed.inputs["Vector"])
+    numbers = formula.node("ShaderNodeSeparateXYZ")
+    formula.put(hashed.outputs["Color"], numbers.inputs[0])
+    positive = formula.number("MAXIMUM", numbers.outputs["X"], 1e-7)
+    logarithm = formula.number("LOGARITHM", positive, math.e)
+    radius = formula.number("SQRT", formula.number("MULTIPLY", logarithm, -2.0))
+    angle = formula.number("MULTIPLY", numbers.outputs["Y"], 2.0 * math.pi)
+    deviate = formula.number("MULTIPLY", radius, formula.number("COSINE", angle))
+    drawn = formula.number("MULTIPLY_ADD", deviate, at["Spread"], at["Thickness"])
+    return formula.number("MAXIMUM", drawn, 0.0)
+
+
 _FORMULAS: dict[str, Callable[[Formula, Inputs], bpy.types.NodeSocket]] = {
     "map": _between,
     "attribute": _between,
@@ -253,4 +298,5 @@ _FORMULAS: dict[str, Callable[[Formula, Inputs], bpy.types.NodeSocket]] = {
     "drop": _drop,
     "drainage": _drainage,
     "swirl": _swirl,
+    "spread": _spread,
 }

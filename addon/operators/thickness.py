@@ -66,7 +66,7 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
             thickness.link_image(material, image)
         if self.source.startswith("attribute"):
             name = self.attribute or _paintable(context.object)
-            thickness.link_attribute(material, name)
+            thickness.link_attribute(material, name, ramp=self.source == "attribute")
         return {"FINISHED"}
 
 

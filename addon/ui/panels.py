@@ -11,7 +11,7 @@ from ..core.problems import find_problems
 from ..nodes import group as groups
 from ..nodes import scene as scene_setup
 from ..nodes.material import describe, group_node, missing_tables
-from ..nodes.thickness import sources_of, thickness_socket
+from ..nodes.thickness import ramp_of, sources_of, thickness_socket
 
 
 class _WaveOptics:
@@ -96,6 +96,9 @@ def _draw_sources(layout, material) -> None:
         for socket in node.inputs:
             if not socket.hide_value and not socket.is_linked:
                 column.prop(socket, "default_value", text=socket.name)
+        ramp = ramp_of(node)
+        if ramp is not None:
+            box.template_color_ramp(ramp, "color_ramp")
 
 
 def _draw_form(layout, node) -> None:

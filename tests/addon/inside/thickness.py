@@ -34,7 +34,12 @@ def close(a: float, b: float, tolerance: float = 1e-3) -> bool:
 
 
 def measure(node, values: dict, at=(0.0, 0.0, 0.0)) -> float:
-    """What a source gives at a place: rendered as emission of a plane."""
+    """What a source gives at a place."""
+    return measure_all(node, values, 4, at)[0]
+
+
+def measure_all(node, values: dict, size: int, at=(0.0, 0.0, 0.0)) -> list[float]:
+    """What a source gives at each pixel of a square: rendered as emission, one sample each."""
     for name, value in values.items():
         node.inputs[name].default_value = value
     tree = node.id_data
@@ -58,15 +63,15 @@ def measure(node, values: dict, at=(0.0, 0.0, 0.0)) -> float:
     scene.cycles.samples = 1
     scene.cycles.use_denoising = False
     scene.cycles.shading_system = False
-    scene.render.resolution_x = scene.render.resolution_y = 4
+    scene.render.resolution_x = scene.render.resolution_y = size
     scene.render.image_settings.file_format = "OPEN_EXR"
     scene.render.image_settings.color_depth = "32"
     scene.render.filepath = str(folder / "probe.exr")
     bpy.ops.render.render(write_still=True)
     image = bpy.data.images.load(scene.render.filepath, check_existing=False)
-    value = image.pixels[0]
+    reds = list(image.pixels[:])[::4]
     bpy.data.images.remove(image)
-    return value
+    return reds
 
 
 cube = new_file()
@@ -141,6 +146,30 @@ assert not close(first, other)
 before, after = (measure(swirl, {"Time": t}, place) for t in (1.9995, 2.0005))
 assert close(before, after, 0.02), (before, after)
 
+# Spread: samples of one Gaussian, whose mean and deviation are those that were asked for.
+bpy.ops.nacre.add_thickness(source="map")
+bpy.ops.nacre.add_thickness(source="spread")
+spread, below = thickness.sources_of(material)
+assert below.node_tree[thickness.SOURCE] == "map"
+plane = bpy.data.objects.new("Plane", bpy.data.meshes.new("Plane"))
+plane.data.from_pydata([(-1, -1, 2), (1, -1, 2), (1, 1, 2), (-1, 1, 2)], [], [(0, 1, 2, 3)])
+plane.data.materials.append(material)
+scene.collection.objects.link(plane)
+given = {"Value": 0.5, "Minimum": 400.0, "Maximum": 600.0}
+for name, value in given.items():
+    below.inputs[name].default_value = value
+deviates = [value - 500.0 for value in measure_all(spread, {"Spread": 30.0}, 64)]
+count = len(deviates)
+deviation = math.sqrt(sum(value * value for value in deviates) / count)
+assert abs(sum(deviates) / count) < 4 * 30.0 / math.sqrt(count)
+assert close(deviation, 30.0, 4 / math.sqrt(2 * count)), deviation
+beyond = sum(abs(value) > 60.0 for value in deviates) / count  # erfc(√2) = 0.0455
+assert abs(beyond - 0.0455) < 4 * math.sqrt(0.0455 / count), beyond
+bpy.data.objects.remove(plane)
+bpy.ops.nacre.add_thickness(source="drop")
+bpy.ops.nacre.add_thickness(source="swirl")
+swirl = thickness.sources_of(material)[0]
+
 # Driven by the frames.
 assert bpy.ops.nacre.animate_thickness() == {"FINISHED"}
 scene.render.fps = 24
@@ -153,9 +182,17 @@ assert close(timed, 2.0), timed
 bpy.ops.nacre.add_thickness(source="attribute")
 assert cube.data.color_attributes.active_color.name == "Film Thickness"
 painted = thickness.sources_of(material)[0]
-assert painted.inputs["Value"].links[0].from_node.attribute_name == "Film Thickness"
+ramp = thickness.ramp_of(painted)
+assert painted.inputs["Value"].links[0].from_node == ramp
+assert ramp.inputs["Fac"].links[0].from_node.attribute_name == "Film Thickness"
+assert [(e.position, tuple(e.color)[:3]) for e in ramp.color_ramp.elements] == [
+    (0.0, (0.0, 0.0, 0.0)),
+    (1.0, (1.0, 1.0, 1.0)),
+]
 bpy.ops.nacre.add_thickness(source="attribute_nm", attribute="nm")
 held = thickness.sources_of(material)[0]
+assert thickness.ramp_of(held) is None
+assert not any(node.type == "VALTORGB" for node in material.node_tree.nodes)
 assert held.inputs["Value"].links[0].from_node.attribute_name == "nm"
 
 # A picture; one that is missing changes nothing.
