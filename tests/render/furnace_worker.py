@@ -3,11 +3,13 @@
 """Renders furnace spheres inside Blender; one process for many, see Blender.run.
 
 A job: material, form, values, size, samples, file and `lit`:
-`all` the plain furnace; `reflected` the world is black for light that passed the film, or glass below it;
-`passed` it is white only for camera rays that went straight through the film. (Cycles meets a point
-sphere from outside only, so that light crosses one wall.) `sun` is one direction, `angle` degrees
-below the camera, and nothing else. Without a material the sphere is white glossy. `brush` lays the
-tangent to the camera's right. `spread_nm` makes the thickness uneven by that standard deviation.
+`all` the plain furnace; `reflected` the world is black for light that passed the film, or glass below
+it; `passed` it is white only for camera rays that went straight through the film. (Cycles meets a
+point sphere from outside only, so that light crosses one wall.) `sun` is one direction, `angle`
+degrees below the camera, and nothing else. Without a material the sphere is white glossy. `brush`
+lays the tangent to the camera's right. `spread_nm` makes the thickness uneven by that standard
+deviation. `inside_deg`: in place of the sphere a plane, seen from its back at that angle, as from
+inside of glass.
 """
 
 from __future__ import annotations
@@ -91,11 +93,26 @@ def film(scene: bpy.types.Scene, job: dict) -> bpy.types.Material:
     return material
 
 
+def place_from_inside(scene: bpy.types.Scene, material: bpy.types.Material, deg: float) -> None:
+    """A plane with its front away from the camera, which looks down."""
+    mesh = bpy.data.meshes.new("plane")
+    corners = [(-9.0, -9.0, 0.0), (-9.0, 9.0, 0.0), (9.0, 9.0, 0.0), (9.0, -9.0, 0.0)]
+    mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+    mesh.materials.append(material)
+    plane = bpy.data.objects.new("plane", mesh)
+    plane.matrix_world = Matrix.Rotation(math.radians(deg), 4, "X")
+    scene.collection.objects.link(plane)
+
+
 def render(job: dict) -> None:
     stage = extension("scenes").build_stage("furnace")
     scene = stage.scene
     given = job["material"] is not None
-    stage.place(film(scene, job) if given else white_glossy(job["values"]["roughness"]))
+    material = film(scene, job) if given else white_glossy(job["values"]["roughness"])
+    if "inside_deg" in job:
+        place_from_inside(scene, material, job["inside_deg"])
+    else:
+        stage.place(material)
     if job["lit"] == "sun":
         light_by_sun(scene, job["angle"])
     elif job["lit"] != "all":

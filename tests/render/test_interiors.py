@@ -1,13 +1,15 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""White furnace for films on clear glass and over a matt base: no light is lost or made."""
+"""Films on clear glass and over a matt base: no light is lost or made, and what is seen from inside."""
 
 from __future__ import annotations
 
+import tomllib
+
 import numpy as np
 import pytest
-from harness import nacre
-from truth import pixel_cosines
+from harness import delta_e, nacre
+from truth import colour, pixel_cosines, spectra
 
 TEMPLATE = """\
 schema = 1
@@ -73,3 +75,48 @@ def test_grey_base_absorbs(pictures, form):
     _, counted = pixel_cosines(SIZE)
     picture = pictures["grey", form][counted]
     assert 0.2 < picture.mean() < 0.8
+
+
+# Oil between water and air, as a fish sees it: beyond 48.6 degrees all light comes back.
+FISH = (
+    TEMPLATE.format(name="fish", surface="transmission = true")
+    .replace(
+        "n = 2.2\nthickness_nm = { default = 150, min = 50, max = 300, varies = true }",
+        "n = 1.47\nthickness_nm = { default = 300, min = 100, max = 600, varies = true }",
+    )
+    .replace("[substrate]\nn = 1.5", "[substrate]\nn = 1.333")
+)
+INSIDE_DEG = (0.0, 25.0, 40.0, 46.0, 52.0, 70.0)
+
+
+@pytest.fixture(scope="module")
+def from_inside(blender, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("inside")
+    (folder / "fish.toml").write_text(FISH, "utf-8")
+    nacre("compile", folder / "fish.toml", "-o", folder, "--quiet")
+    keys = [(form, deg) for form in ("osl", "nodes") for deg in INSIDE_DEG]
+    jobs = [
+        {
+            "material": "fish",
+            "form": form,
+            "values": {"roughness": 0.0},
+            "lit": "reflected",
+            "inside_deg": deg,
+            "size": 8,
+            "samples": 16384,
+        }
+        for form, deg in keys
+    ]
+    return dict(zip(keys, blender.run("furnace_worker.py", jobs, folder), strict=True))
+
+
+@pytest.mark.parametrize("deg", INSIDE_DEG)
+@pytest.mark.parametrize("form", ["osl", "nodes"])
+def test_film_seen_from_inside(from_inside, form, deg, record_property):
+    seen = from_inside[form, deg].reshape(-1, 3).mean(axis=0)
+    cosines = np.cos(np.radians([deg]))
+    expected = colour(spectra(tomllib.loads(FISH), 300.0, cosines, from_below=True).R)[0]
+    error = float(delta_e(seen[None], expected[None])[0])
+    record_property("dE00", f"{error:.4f}")
+    print(f"{deg} deg: seen {seen}, expected {expected}, dE00 {error:.4f}")
+    assert error <= 0.1

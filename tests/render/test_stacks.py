@@ -36,7 +36,7 @@ def template(name: str) -> dict:
             "description": "Stack for a test",
             "source": "stacks.toml",
         },
-        "ambient": {"medium": "air"},
+        "ambient": STACKS[name].get("ambient", {"medium": "air"}),
         "layer": STACKS[name]["layers"],
         "substrate": STACKS[name]["substrate"],
         "stack": {"scale": {"default": 1.0, "min": min(SCALES), "max": max(SCALES)}},
