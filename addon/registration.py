@@ -8,7 +8,7 @@ import bpy
 
 from . import properties
 from .nodes import assets as asset_library
-from .nodes import fallback, live
+from .nodes import fallback, live, schema
 from .operators import assets, assign, fix, stack, thickness
 from .ui import panels, preferences, stack_panel, swatch
 
@@ -31,6 +31,7 @@ def register() -> None:
     for cls in _CLASSES:
         bpy.utils.register_class(cls)
     properties.register()
+    schema.register()
     live.register()
     fallback.register()
     panels.add_to_menus()
@@ -46,6 +47,7 @@ def unregister() -> None:
     asset_library.hide(asset_library.default_folder())
     fallback.unregister()
     live.unregister()
+    schema.unregister()
     swatch.unregister()
     properties.unregister()
     for cls in reversed(_CLASSES):

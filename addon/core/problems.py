@@ -28,6 +28,7 @@ class AssignedMaterial:
 
     form: str
     wavelength_per_path: bool
+    refusal: str = ""  # why it must not be changed
 
 
 @dataclass(frozen=True)
@@ -39,6 +40,8 @@ class Problem:
 
 def find_problems(material: AssignedMaterial, scene: SceneState) -> list[Problem]:
     problems = []
+    if material.refusal:
+        problems.append(Problem(material.refusal, None))
     if scene.missing_tables:
         names = ", ".join(scene.missing_tables)
         problems.append(

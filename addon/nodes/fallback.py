@@ -11,6 +11,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from . import group as groups
+from . import schema
 from .image import FALLBACK, is_missing
 
 _GREY, _NOTHING = 0.5, 0.0
@@ -21,7 +22,7 @@ def put_in_place() -> list[str]:
     """Fills the gaps of every group of ours that belongs to this file; returns the groups' names."""
     mended = []
     for group in bpy.data.node_groups:
-        if groups.MATERIAL not in group or group.library is not None:
+        if groups.MATERIAL not in group or group.library is not None or schema.refusal(group):
             continue
         gaps = [n for n in group.nodes if n.type == "TEX_IMAGE" and is_missing(n.image)]
         for node in gaps:

@@ -15,8 +15,8 @@ from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
 from .image import table_image
 from .script import fill_script_node
 
-SCHEMA_VERSION = 1
-"""Of the custom properties below; they live in saved files."""
+SCHEMA_VERSION = 2
+"""Of the custom properties below; they live in saved files. What changed is in schema.py."""
 
 MATERIAL, KIND, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, TEMPLATE_TEXT, RECIPE, WAVELENGTHS = (
     "nacre_material",
@@ -44,7 +44,8 @@ _COLUMN, _ROW = 220.0, 190.0
 def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNodeTree:
     """The material's group; one of the same template and shader in the file is used again."""
     for group in bpy.data.node_groups:
-        if group.get(DIGEST) == material.digest and group.get(FORM) == form:
+        same = group.get(DIGEST) == material.digest and group.get(FORM) == form
+        if same and group.get(SCHEMA) == SCHEMA_VERSION:
             return group
     graph = material.graphs[form]
     group = bpy.data.node_groups.new(material.name, "ShaderNodeTree")
@@ -58,8 +59,24 @@ def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNod
 
 
 def socket_identifiers(group: bpy.types.NodeTree) -> dict[str, str]:
-    """From manifest names to identifiers on the group's interface."""
-    return json.loads(group.get(SOCKETS, "{}"))
+    """From manifest names to identifiers on the group's interface; empty where that is damaged."""
+    try:
+        found = json.loads(group.get(SOCKETS, "{}"))
+    except (TypeError, ValueError):
+        return {}
+    inputs = {item.identifier for item in _inputs(group)}
+    whole = isinstance(found, dict) and all(value in inputs for value in found.values())
+    return found if whole else {}
+
+
+def identifiers_in_order(group: bpy.types.NodeTree, material: CompiledMaterial) -> dict[str, str]:
+    """The same from the order of the inputs, which is that of the manifest."""
+    names = (socket.name for socket in material.sockets)
+    return dict(zip(names, (item.identifier for item in _inputs(group)), strict=False))
+
+
+def _inputs(group: bpy.types.NodeTree) -> list[bpy.types.NodeTreeInterfaceSocket]:
+    return [i for i in group.interface.items_tree if getattr(i, "in_out", "") == "INPUT"]
 
 
 def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> None:
@@ -71,10 +88,7 @@ def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> No
     group[TEMPLATE] = material.template_sha256
     group[TEMPLATE_TEXT] = material.template
     group[WAVELENGTHS] = material.wavelength_per_path and form == OSL
-    inputs = [i for i in group.interface.items_tree if getattr(i, "in_out", "") == "INPUT"]
-    names = [socket.name for socket in material.sockets]
-    identifiers = [item.identifier for item in inputs]
-    group[SOCKETS] = json.dumps(dict(zip(names, identifiers, strict=True)))
+    group[SOCKETS] = json.dumps(identifiers_in_order(group, material))
 
 
 def _fill(group: bpy.types.NodeTree, material: CompiledMaterial, graph: Graph) -> None:

@@ -12,6 +12,7 @@ import bpy
 from ..core.form import OSL
 from ..core.manifest import CompiledMaterial
 from ..core.problems import AssignedMaterial
+from . import animation, schema
 from . import group as groups
 from .image import is_missing
 
@@ -41,7 +42,8 @@ def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, f
     """Puts the group of another form, or a sound one, in place; keeps values and links."""
     node = group_node(material)
     old_group = node.node_tree
-    old = groups.socket_identifiers(old_group)
+    old = groups.socket_identifiers(old_group) or groups.identifiers_in_order(old_group, compiled)
+    places = {name: _index(node, identifier) for name, identifier in old.items()}
     values = {name: _value(node, identifier) for name, identifier in old.items()}
     feeds = {
         name: node.inputs[_index(node, identifier)].links[0].from_socket
@@ -53,6 +55,8 @@ def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, f
     node.node_tree = groups.material_group(compiled, form)
     names = groups.socket_identifiers(node.node_tree)
     set_values(material, {k: v for k, v in values.items() if k in names and v is not None})
+    moved = {places[name]: _index(node, names[name]) for name in places if name in names}
+    animation.move_inputs(material.node_tree, node, moved)
     for name, source in feeds.items():
         if name in names:
             material.node_tree.links.new(source, input_socket(material, name))
@@ -88,6 +92,7 @@ def describe(material: bpy.types.Material) -> AssignedMaterial:
     return AssignedMaterial(
         form=tree.get(groups.FORM, OSL),
         wavelength_per_path=bool(tree.get(groups.WAVELENGTHS, False)),
+        refusal=schema.refusal(tree),
     )
 
 

@@ -11,7 +11,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import lru_cache, partial
 
 import bpy
 
@@ -19,6 +19,7 @@ from ..core.library import Library
 from ..core.manifest import CompiledMaterial, ManifestError, from_memory
 from ..core.stack import Stack, StackError, read_stack, write_template
 from . import group as groups
+from . import schema
 from .image import TABLE, table_pixels
 from .material import describe, group_node, rebuild_material
 
@@ -62,9 +63,14 @@ def is_edited(material: bpy.types.Material | None) -> bool:
 def recipe(material: bpy.types.Material) -> Recipe:
     """Of the material as it is asked for: its own, or that of the library's material."""
     if is_edited(material):
-        return Recipe(
-            material[TEMPLATE], material.get(ILLUMINANT, "D65"), material.get(OBSERVER, "cie1931")
+        stored = (
+            material[TEMPLATE],
+            material.get(ILLUMINANT, "D65"),
+            material.get(OBSERVER, "cie1931"),
         )
+        if not all(isinstance(text, str) for text in stored):
+            raise StackError(f"{material.name}: the stored stack is damaged; revert it")
+        return Recipe(*stored)
     tree = group_node(material).node_tree
     text = tree.get(groups.TEMPLATE_TEXT, "")
     if not text:
@@ -76,6 +82,23 @@ def recipe(material: bpy.types.Material) -> Recipe:
 
 def stack_of(material: bpy.types.Material) -> Stack:
     return read_stack(recipe(material).template)
+
+
+def damage(material: bpy.types.Material) -> str:
+    """What is wrong with the stored stack, or nothing."""
+    try:
+        return _damage(recipe(material).template)
+    except StackError as error:
+        return str(error)
+
+
+@lru_cache(maxsize=64)
+def _damage(template: str) -> str:
+    try:
+        read_stack(template)
+    except StackError as error:
+        return str(error)
+    return ""
 
 
 def set_recipe(material: bpy.types.Material, wanted: Recipe) -> None:
@@ -96,6 +119,8 @@ def is_stale(material: bpy.types.Material) -> bool:
     return (
         is_edited(material)
         and node is not None
+        and not damage(material)
+        and not schema.refusal(node.node_tree)
         and node.node_tree.get(groups.RECIPE) != recipe(material).digest
     )
 

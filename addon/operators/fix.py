@@ -13,7 +13,7 @@ from ..nodes import group as groups
 from ..nodes import scene as scene_setup
 from ..nodes import stack
 from ..nodes.material import describe, group_node, rebuild_material
-from .guard import reports_errors
+from .guard import allows_change, reports_errors
 
 
 class NACRE_OT_use_cycles(bpy.types.Operator):
@@ -97,7 +97,7 @@ class NACRE_OT_rebuild_material(bpy.types.Operator):
         if obj is None or group_node(obj.active_material) is None:
             cls.poll_message_set("Select an object with a wave material")
             return False
-        return True
+        return allows_change(cls, obj.active_material)
 
     @reports_errors
     def execute(self, context):

@@ -6,12 +6,27 @@ from __future__ import annotations
 
 import functools
 
+import bpy
+
 from ..core.form import FormError
 from ..core.manifest import ManifestError
 from ..core.oso import OsoError
 from ..core.stack import StackError
+from ..nodes import schema
+from ..nodes.material import group_node
 
 _EXPECTED = (FormError, ManifestError, OsoError, StackError, OSError, RuntimeError)
+
+
+def allows_change(operator: type[bpy.types.Operator], material: bpy.types.Material) -> bool:
+    """For `poll`: whether a wave material may be changed; if not, the operator says why."""
+    if not material.is_editable:
+        operator.poll_message_set("The material is linked from another file")
+        return False
+    refusal = schema.refusal(group_node(material).node_tree)
+    if refusal:
+        operator.poll_message_set(refusal)
+    return not refusal
 
 
 def reports_errors(execute):

@@ -14,7 +14,7 @@ from ..core.manifest import ManifestError
 from ..core.stack import MOST_LAYERS, Layer, read_stack
 from ..nodes import live, stack
 from ..nodes.material import group_node, kind
-from .guard import reports_errors
+from .guard import allows_change, reports_errors
 
 NEW_LAYER = Layer("SiO2/Malitson", 100.0)
 
@@ -32,8 +32,7 @@ class _FilmOperator(bpy.types.Operator):
         if group_node(material) is None or kind(material) != "film":
             cls.poll_message_set("The active material is not a film")
             return False
-        if not material.is_editable:
-            cls.poll_message_set("The material is linked from another file")
+        if not allows_change(cls, material):
             return False
         problem = stack.library_problem()
         if problem:

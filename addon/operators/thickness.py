@@ -9,7 +9,7 @@ from bpy.props import EnumProperty, StringProperty
 
 from ..core.thickness import SOURCES
 from ..nodes import thickness
-from .guard import reports_errors
+from .guard import allows_change, reports_errors
 
 PAINTED = "Film Thickness"
 """Colour attribute that is made for painting."""
@@ -28,7 +28,7 @@ class _ThicknessOperator(bpy.types.Operator):
         if material is None or thickness.thickness_socket(material) is None:
             cls.poll_message_set("The active material has no thickness that could vary")
             return False
-        return True
+        return allows_change(cls, material)
 
 
 class NACRE_OT_add_thickness(_ThicknessOperator):

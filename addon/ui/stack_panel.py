@@ -44,6 +44,10 @@ class _StackEditor:
         if not stack.is_edited(material):
             layout.operator("nacre.edit_stack", icon="MOD_WAVE")
             return
+        if stack.damage(material):
+            layout.label(text="The stored stack cannot be read", icon="ERROR")
+            layout.operator("nacre.revert_stack", icon="LOOP_BACK")
+            return
         shown = material.nacre
         _draw_layers(layout, shown)
         if live.problem(material):

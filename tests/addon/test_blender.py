@@ -35,6 +35,11 @@ def test_stack_is_edited(blender, tmp_path, form, library):
     blender.script("stack", tmp_path, form)
 
 
+def test_other_versions_and_damage(blender, tmp_path, library):
+    blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
+    blender.script("versions", tmp_path)
+
+
 @pytest.mark.parametrize(
     ("form", "material"), [("osl", "test_film"), ("nodes", "test_film"), ("osl", "test_grating")]
 )

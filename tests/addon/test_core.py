@@ -221,6 +221,12 @@ def test_problems_come_with_their_mends(change, operators):
     assert [problem.operator for problem in problems] == operators
 
 
+def test_what_must_not_be_changed_is_said_first():
+    state = SceneState("CYCLES", True, True, False, True, True, missing_tables=("R",))
+    found = find_problems(AssignedMaterial("nodes", False, refusal="from the future"), state)
+    assert [(problem.text, problem.operator) for problem in found][0] == ("from the future", None)
+
+
 def test_nodes_need_neither_osl_nor_wavelengths():
     state = SceneState("BLENDER_EEVEE", False, False, False, False, False)
     assert find_problems(AssignedMaterial("nodes", wavelength_per_path=False), state) == []

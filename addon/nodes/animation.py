@@ -1,0 +1,39 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Keyframes and drivers of a node's inputs, which Blender knows by number, when the numbers change."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+
+import bpy
+
+
+def move_inputs(tree: bpy.types.NodeTree, node: bpy.types.Node, places: Mapping[int, int]) -> None:
+    """Lets the curves of input `old` go to input `places[old]`; those of inputs that are gone stay,
+    without effect, in case the input comes back."""
+    start = f'nodes["{bpy.utils.escape_identifier(node.name)}"].inputs['
+    for curve in _curves(tree.animation_data):
+        if not curve.data_path.startswith(start):
+            continue
+        number, rest = re.match(r"(\d+)(.*)", curve.data_path[len(start) :]).groups()
+        if int(number) in places:
+            curve.data_path = f"{start}{places[int(number)]}{rest}"
+
+
+def _curves(animation: bpy.types.AnimData | None) -> Iterator[bpy.types.FCurve]:
+    if animation is None:
+        return
+    yield from animation.drivers
+    action = animation.action
+    if action is None:
+        return
+    if not hasattr(action, "layers"):  # before Blender 4.4
+        yield from action.fcurves
+        return
+    for layer in action.layers:
+        for strip in layer.strips:
+            for bag in strip.channelbags:
+                if bag.slot == animation.action_slot:
+                    yield from bag.fcurves
