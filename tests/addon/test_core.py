@@ -224,7 +224,7 @@ def test_problems_come_with_their_mends(change, operators):
 def test_what_must_not_be_changed_is_said_first():
     state = SceneState("CYCLES", True, True, False, True, True, missing_tables=("R",))
     found = find_problems(AssignedMaterial("nodes", False, refusal="from the future"), state)
-    assert [(problem.text, problem.operator) for problem in found][0] == ("from the future", None)
+    assert (found[0].text, found[0].operator) == ("from the future", None)
 
 
 def test_nodes_need_neither_osl_nor_wavelengths():
