@@ -14,7 +14,8 @@ function(nacre_embed)
         set(folder "${CMAKE_MATCH_1}")
         set(prefix "${CMAKE_MATCH_2}")
         file(GLOB_RECURSE found CONFIGURE_DEPENDS
-             "${folder}/*.yml" "${folder}/*.csv" "${folder}/*.h" "${folder}/*.toml")
+             "${folder}/*.yml" "${folder}/*.csv" "${folder}/*.h" "${folder}/*.toml"
+             "${folder}/*.py")
         foreach(file IN LISTS found)
             file(RELATIVE_PATH name "${folder}" "${file}")
             list(APPEND list "${prefix}${name}=${file}")

@@ -24,6 +24,7 @@ DOCUMENTS = (
     "README.md",
     "CONTRIBUTING.md",
     "cpp_tools/doc/colour.md",
+    "cpp_tools/doc/export.md",
     "cpp_tools/doc/interfaces.md",
     "cpp_tools/doc/library.md",
     "cpp_tools/doc/models.md",

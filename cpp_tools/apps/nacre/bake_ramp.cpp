@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bake.h"
+#include "bake_ramp.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/version.h"
 #include "nacre/pipeline/compile.h"
@@ -21,10 +22,9 @@
 namespace nacre::tool {
 namespace {
 
-struct RampOptions {
-    std::string input, output, quantity = "reflectance";
-    double angle_deg = 0.0;
-    std::size_t size = 256;
+struct BakeOptions {
+    std::string input, output;
+    RampOptions ramp;
     TableOptions table;
 };
 
@@ -98,39 +98,44 @@ std::string csv_text(const Ramp& ramp)
     return text;
 }
 
-using Writer = std::string (*)(const Ramp&);
-
-Writer writer_for(const std::string& output)
-{
-    const std::string extension = std::filesystem::path(output).extension().string();
-    if (extension == ".cube") return cube_text;
-    if (extension == ".spi1d") return spi1d_text;
-    if (extension == ".csv") return csv_text;
-    throw InputError({output, 0, "-o", "must end in .cube, .spi1d or .csv"});
-}
-
 lut::FilmTableRequest film_request(const material::MaterialTemplate& source,
-                                   const RampOptions& options, const ResolvedTableOptions& table)
+                                   const ResolvedTableOptions& table)
 {
     if (!std::holds_alternative<material::StackSpec>(source.kind))
-        throw InputError(
-            {options.input, 0, "", "must be a film: gratings and glasses have no ramp"});
+        throw InputError({source.file, 0, "", "must be a film: gratings and glasses have no ramp"});
     lut::FilmTableRequest request = pipeline::film_request(source, table.compile);
     if (!request.variation)
-        throw InputError({options.input, 0, "layer",
+        throw InputError({source.file, 0, "layer",
                           "must have a thickness that varies, or the stack a scale: a ramp runs "
                           "along it"});
     return request;
 }
 
-int bake(const RampOptions& options)
+int bake(const BakeOptions& options)
 {
-    const Writer write = writer_for(options.output);
+    const RampFormat format = ramp_format(options.output);
     const material::MaterialTemplate source = read_template_input(options.input);
     const ResolvedTableOptions table = resolve(options.table);
-    const lut::FilmTableRequest request = film_request(source, options, table);
     check_writable(options.output);
+    write_text_output(options.output, ramp_text(source, options.ramp, table, format));
+    return kExitOk;
+}
 
+}  // namespace
+
+RampFormat ramp_format(const std::string& output)
+{
+    const std::string extension = std::filesystem::path(output).extension().string();
+    if (extension == ".cube") return RampFormat::cube;
+    if (extension == ".spi1d") return RampFormat::spi1d;
+    if (extension == ".csv") return RampFormat::csv;
+    throw InputError({output, 0, "-o", "must end in .cube, .spi1d or .csv"});
+}
+
+std::string ramp_text(const material::MaterialTemplate& source, const RampOptions& options,
+                      const ResolvedTableOptions& table, RampFormat format)
+{
+    const lut::FilmTableRequest request = film_request(source, table);
     const double cosine = std::cos(options.angle_deg * std::numbers::pi / 180.0);
     Ramp ramp{.title = source.name,
               .name = request.variation->layer ? "thickness_nm" : "thickness_scale",
@@ -145,29 +150,32 @@ int bake(const RampOptions& options)
     for (const lut::FilmColour& colour : exact_film_ramp(request, cosine, options.size))
         ramp.colours.push_back(options.quantity == "transmittance" ? colour.transmittance
                                                                    : colour.reflectance);
-    write_text_output(options.output, write(ramp));
-    return kExitOk;
+    if (format == RampFormat::cube) return cube_text(ramp);
+    return format == RampFormat::spi1d ? spi1d_text(ramp) : csv_text(ramp);
 }
 
-}  // namespace
+void add_ramp_options(CLI::App& command, RampOptions& options)
+{
+    command.add_option("--angle", options.angle_deg, "degrees from the normal, in the ambient")
+        ->check(CLI::Range(0.0, 89.9))
+        ->capture_default_str();
+    command.add_option("--size", options.size, "colours")
+        ->check(CLI::Range(2, 65536))
+        ->capture_default_str();
+    command.add_option("--quantity", options.quantity)
+        ->check(CLI::IsMember({"reflectance", "transmittance"}))
+        ->capture_default_str();
+}
 
 void add_bake_ramp(CLI::App& bake_command, Session& session)
 {
-    const auto options = std::make_shared<RampOptions>();
+    const auto options = std::make_shared<BakeOptions>();
     CLI::App* ramp =
         bake_command.add_subcommand("ramp", "colours of a film over thickness at one angle");
     ramp->fallthrough()->footer(kHelp);
     ramp->add_option("INPUT", options->input, "template (.toml) or stack (.json, -)")->required();
     ramp->add_option("-o,--output", options->output, ".cube, .spi1d or .csv")->required();
-    ramp->add_option("--angle", options->angle_deg, "degrees from the normal, in the ambient")
-        ->check(CLI::Range(0.0, 89.9))
-        ->capture_default_str();
-    ramp->add_option("--size", options->size, "colours")
-        ->check(CLI::Range(2, 65536))
-        ->capture_default_str();
-    ramp->add_option("--quantity", options->quantity)
-        ->check(CLI::IsMember({"reflectance", "transmittance"}))
-        ->capture_default_str();
+    add_ramp_options(*ramp, options->ramp);
     add_light_options(*ramp, options->table);
     ramp->callback([&session, options] { session.run = [options] { return bake(*options); }; });
 }

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include <charconv>
 #include <memory>
 
 #include <fmt/format.h>
@@ -12,7 +11,7 @@
 #include "output.h"
 #include "session.h"
 #include "stack_input.h"
-#include "table_error.h"
+#include "stack_table.h"
 #include "table_image.h"
 #include "table_options.h"
 
@@ -20,8 +19,9 @@ namespace nacre::tool {
 namespace {
 
 struct StackOptions {
-    std::string input, output, depth, size, quantity = "reflectance";
-    TableOptions table;
+    std::string input, output;
+    StackTableOptions table;
+    TableOptions colour;
 };
 
 constexpr const char* kHelp = R"(
@@ -40,54 +40,19 @@ attributes of the file: see nacre info.
   nacre bake stack osl/templates/soap_film.toml --quantity transmittance --depth half -o soap_T.exr
   nacre bake stack stack.json --tolerance 0.05 --space lin_ap1_scene -o stack.tx)";
 
-std::optional<std::array<int, 2>> parse_size(const std::string& text, int most)
-{
-    if (text.empty()) return std::nullopt;
-    std::array<int, 2> size{};
-    const char* end = text.data() + text.size();
-    const auto width = std::from_chars(text.data(), end, size[0]);
-    const bool separated = width.ec == std::errc{} && width.ptr != end && *width.ptr == 'x';
-    const auto height = separated ? std::from_chars(width.ptr + 1, end, size[1]) : width;
-    if (!separated || height.ec != std::errc{} || height.ptr != end || size[0] < 2 || size[1] < 1 ||
-        size[0] > most || size[1] > most)
-        throw InputError(
-            {"", 0, "--size",
-             fmt::format("must be WIDTHxHEIGHT, 2x1 … {0}x{0} (got {1})", most, text)});
-    return size;
-}
-
-lut::Table take_quantity(lut::FilmTables tables, const std::string& quantity)
-{
-    return quantity == "transmittance" ? std::move(*tables.transmittance)
-                                       : std::move(tables.reflectance);
-}
-
 int bake(const Session& session, const StackOptions& options)
 {
-    const Encoding encoding = encoding_for(options.output, options.depth);
-    if (encoding.container == Container::png)
-        throw InputError(
-            {options.output, 0, "-o", "must end in .exr, .tx or .ftxt: a table needs floats"});
+    const Encoding encoding = table_encoding(options.output, options.table.depth);
     const material::MaterialTemplate source = read_template_input(options.input);
     if (!std::holds_alternative<material::StackSpec>(source.kind))
         throw InputError(
             {options.input, 0, "", "must be a film: gratings and glasses have no table"});
 
-    const ResolvedTableOptions resolved = resolve(options.table);
-    lut::FilmTableRequest request = pipeline::film_request(source, resolved.compile);
-    request.size = parse_size(options.size, request.max_texels);
-    request.transmittance = options.quantity == "transmittance";
+    const ResolvedTableOptions resolved = resolve(options.colour);
+    const lut::FilmTableRequest request = pipeline::film_request(source, resolved.compile);
     check_writable(options.output);
-    Progress progress(session);
-    request.progress = [&progress](double fraction) {
-        progress.show(fraction);
-        return true;
-    };
-    lut::Table table = take_quantity(lut::bake_film_tables(request), options.quantity);
-    if (encoding.depth == Depth::half) {
-        round_to_half(table.texels);
-        measure_error(table, request, resolved.provenance.space);
-    }
+    const lut::Table table = bake_stack_table(session, request, options.table, encoding.depth,
+                                              resolved.provenance.space);
     TableProvenance provenance = resolved.provenance;
     provenance.stack = stack_json(source);
     write_text_output(options.output, encode_image(table_image(table),
@@ -107,13 +72,8 @@ void add_bake_stack(CLI::App& bake_command, Session& session)
     stack->fallthrough()->footer(kHelp);
     stack->add_option("INPUT", options->input, "template (.toml) or stack (.json, -)")->required();
     stack->add_option("-o,--output", options->output, ".exr, .tx or .ftxt")->required();
-    stack->add_option("--quantity", options->quantity)
-        ->check(CLI::IsMember({"reflectance", "transmittance"}))
-        ->capture_default_str();
-    stack->add_option("--size", options->size, "WIDTHxHEIGHT in texels, instead of --tolerance");
-    stack->add_option("--depth", options->depth, "default: float")
-        ->check(CLI::IsMember({"float", "half"}));
-    add_table_options(*stack, options->table);
+    add_stack_table_options(*stack, options->table);
+    add_table_options(*stack, options->colour);
     stack->callback([&session, options] {
         session.run = [&session, options] { return bake(session, *options); };
     });

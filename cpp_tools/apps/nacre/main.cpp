@@ -94,6 +94,7 @@ int run(int argc, char** argv)
     add_info(app, session);
     add_compare(app, session);
     add_render(app, session);
+    add_export(app, session);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {

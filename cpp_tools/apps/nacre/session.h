@@ -59,5 +59,6 @@ void add_library(CLI::App& app, Session& session);
 void add_info(CLI::App& app, Session& session);
 void add_compare(CLI::App& app, Session& session);
 void add_render(CLI::App& app, Session& session);
+void add_export(CLI::App& app, Session& session);
 
 }  // namespace nacre::tool

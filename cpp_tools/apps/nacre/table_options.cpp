@@ -24,13 +24,18 @@ void add_table_options(CLI::App& command, TableOptions& options)
 
 void add_light_options(CLI::App& command, TableOptions& options)
 {
+    add_illuminant_options(command, options);
+    add_colour_target_options(command, options.colour);
+}
+
+void add_illuminant_options(CLI::App& command, TableOptions& options)
+{
     command
         .add_option("--illuminant", options.illuminant,
                     fmt::format("{}, {}", fmt::join(spectral::illuminant_names(), ", "),
                                 spectral::kIlluminantForms))
         ->capture_default_str();
     command.add_option("--observer", options.observer, "cie1931, cie1964")->capture_default_str();
-    add_colour_target_options(command, options.colour);
 }
 
 ResolvedTableOptions resolve(const TableOptions& options)

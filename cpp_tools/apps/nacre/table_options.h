@@ -26,6 +26,8 @@ struct ResolvedTableOptions {
 void add_table_options(CLI::App& command, TableOptions& options);
 /// Those without the tolerance, for colours that are exact.
 void add_light_options(CLI::App& command, TableOptions& options);
+/// Illuminant and observer alone, where a format fixes the space.
+void add_illuminant_options(CLI::App& command, TableOptions& options);
 
 /// @throws InputError for names that do not exist, or a space that is not scene-linear
 [[nodiscard]] ResolvedTableOptions resolve(const TableOptions& options);
