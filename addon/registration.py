@@ -8,9 +8,9 @@ import bpy
 
 from . import properties
 from .nodes import assets as asset_library
-from .nodes import fallback, live
-from .operators import assets, assign, fix, stack, thickness
-from .ui import panels, preferences, stack_panel, swatch
+from .nodes import fallback, live, views
+from .operators import assets, assign, fix, passes, picture, probe, stack, thickness
+from .ui import panels, preferences, stack_panel, swatch, viewer_panel
 
 _CLASSES = (
     *properties.CLASSES,
@@ -20,8 +20,12 @@ _CLASSES = (
     *fix.CLASSES,
     *thickness.CLASSES,
     *stack.CLASSES,
+    *passes.CLASSES,
+    *picture.CLASSES,
+    *probe.CLASSES,
     *panels.CLASSES,
     *stack_panel.CLASSES,
+    *viewer_panel.CLASSES,
 )
 
 _commands: list[object] = []
@@ -32,6 +36,7 @@ def register() -> None:
         bpy.utils.register_class(cls)
     properties.register()
     live.register()
+    views.register()
     fallback.register()
     panels.add_to_menus()
     if asset_library.is_built(asset_library.default_folder()):
@@ -45,8 +50,10 @@ def unregister() -> None:
     panels.remove_from_menus()
     asset_library.hide(asset_library.default_folder())
     fallback.unregister()
+    views.unregister()
     live.unregister()
     swatch.unregister()
+    probe.forget()
     properties.unregister()
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

@@ -6,12 +6,25 @@ from __future__ import annotations
 
 import functools
 
+from ..core.exr import ExrError
 from ..core.form import FormError
 from ..core.manifest import ManifestError
 from ..core.oso import OsoError
+from ..core.probe import ProbeError
 from ..core.stack import StackError
+from ..output import OutputError
 
-_EXPECTED = (FormError, ManifestError, OsoError, StackError, OSError, RuntimeError)
+_EXPECTED = (
+    ExrError,
+    FormError,
+    ManifestError,
+    OsoError,
+    OutputError,
+    ProbeError,
+    StackError,
+    OSError,
+    RuntimeError,
+)
 
 
 def reports_errors(execute):
