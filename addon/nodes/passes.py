@@ -16,6 +16,8 @@ from .camera import scene_aside
 NODE = "Nacre Pass "
 """Starts the names of our output nodes."""
 
+NOT_WITH_OSL = "Cycles leaves passes empty while it renders with Open Shading Language"
+
 _THRESHOLD = "nacre_pass_alpha_threshold"
 
 

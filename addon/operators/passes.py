@@ -8,7 +8,7 @@ import bpy
 from bpy.props import EnumProperty
 
 from ..core.fields import FIELDS
-from ..nodes import passes
+from ..nodes import passes, scene
 from .guard import reports_errors
 
 
@@ -28,7 +28,10 @@ class NACRE_OT_add_aovs(bpy.types.Operator):
     @reports_errors
     def execute(self, context):
         count = passes.add(context.scene, self.fields)
-        self.report({"INFO"}, f"{len(self.fields)} passes of {count} materials")
+        if scene.state(context.scene).osl_on:
+            self.report({"WARNING"}, passes.NOT_WITH_OSL)
+        else:
+            self.report({"INFO"}, f"{len(self.fields)} passes of {count} materials")
         return {"FINISHED"}
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..nodes import passes
+from ..nodes import passes, scene
 from ..nodes.material import group_node
 from ..operators import probe
 from . import swatch
@@ -68,6 +68,8 @@ class _Views(_Viewer):
         row = layout.row(align=True)
         if passes.present(context.scene):
             row.operator("nacre.remove_aovs", text="Remove Passes", icon="X")
+            if scene.state(context.scene).osl_on:
+                layout.label(text=passes.NOT_WITH_OSL, icon="ERROR")
         else:
             row.operator("nacre.add_aovs", text="Add Passes", icon="RENDERLAYERS")
         row = layout.row()

@@ -32,6 +32,8 @@ Options:
   --stage NAME           furnace, sphere, plane, bubble or shaderball
   --vary SOURCE          thickness that varies: drop, drainage, swirl; may be repeated, swirl last
   --thickness-map FILE   a picture of the thickness; --range LOW:HIGH what black and white mean
+  --pixel X Y            thickness, angle, spectrum and colour of the film there; needs no -o
+  --aov NAME             a pass beside the picture: thickness, cos_theta, normal, uv, to_camera, to_light
   --samples N            samples a pixel
   --size WxH             pixels
   --seed S               of the noise; the same seed gives the same pixels
