@@ -244,8 +244,9 @@ def test_what_is_no_film_has_no_spectrum():
 # ---- In Blender ----------------------------------------------------------------------------------
 
 
-def test_camera_sees_what_the_viewport_sees(blender):
-    blender.script("viewport_camera")
+def test_camera_sees_what_the_viewport_sees(blender, tmp_path):
+    (tmp_path / "out").mkdir()
+    blender.script("viewport_camera", tmp_path / "out")
 
 
 @pytest.mark.parametrize("form", ["osl", "nodes"])

@@ -6,6 +6,8 @@ viewports here: Blender gives the projection of either."""
 from __future__ import annotations
 
 import itertools
+import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import bpy
@@ -16,6 +18,9 @@ load()
 aside = module("nodes.camera")
 view = module("core.view")
 viewport = module("nodes.viewport")
+picture = module("operators.picture")
+output = module("output")
+folder = Path(sys.argv[2])
 
 POINTS = [Vector(p) for p in itertools.product((-1.5, 0.2, 2.0), (-1.0, 0.7), (-0.5, 1.1))]
 
@@ -84,15 +89,64 @@ for region, size in (
     check(region, size, type="ORTHO", ortho_scale=9.0, shift_x=-0.3, shift_y=0.4)
     check(region, size, lens=1.0, sensor_width=80.0)
 
-# What a render is given survives one that fails.
+# A picture: the file, and nothing else.
 seen = viewed((64, 48), lens=40.0)
-scenes, objects = len(bpy.data.scenes), set(bpy.data.objects)
-try:
-    with aside.scene_aside(bpy.context.scene, bpy.context.view_layer) as other:
-        aside.use_view(
-            other, viewport.Viewport(seen.region, seen).frame((64, 48)), seen.view_matrix
-        )
-        raise RuntimeError("the disc is full")
-except RuntimeError:
-    pass
-assert (len(bpy.data.scenes), set(bpy.data.objects)) == (scenes, objects)
+scene = bpy.context.scene
+scene.render.engine = "CYCLES"
+scene.cycles.samples, scene.render.resolution_x = 77, 123
+scene.render.filepath = "kept"
+
+
+def state() -> tuple:
+    return (
+        [len(getattr(bpy.data, name)) for name in ("scenes", "objects", "cameras", "worlds")],
+        (scene.camera, scene.cycles.samples, scene.render.resolution_x, scene.render.filepath),
+        [len(getattr(bpy.app.handlers, name)) for name in ("render_complete", "render_cancel")],
+        scene.render.image_settings.file_format,
+    )
+
+
+def take(path: Path, save: bool = True) -> None:
+    shot = picture.Shot(bpy.context, viewport.Viewport(seen.region, seen), path, (32, 24))
+    try:
+        shot.use_samples(1)
+        shot.render()
+        if save:
+            shot.save()
+    finally:
+        shot.end()
+        shot.end()
+
+
+before = state()
+take(folder / "view é.png")
+assert state() == before
+image = bpy.data.images.load(str(folder / "view é.png"))
+assert tuple(image.size) == (32, 24)
+bpy.data.images.remove(image)
+
+
+def problem_of(path: Path) -> str:
+    try:
+        take(path)
+    except (output.OutputError, RuntimeError) as error:
+        return str(error)
+    return ""
+
+
+# Cancelled; refused before the work; failing in the middle.
+take(folder / "not.png", save=False)
+assert state() == before
+for path in (folder / "nowhere" / "view.png", folder / "view.jpg"):
+    assert str(path) in problem_of(path)
+    assert state() == before
+
+
+def fail(_shot) -> None:
+    raise RuntimeError("out of memory")
+
+
+picture.Shot.render = fail
+assert problem_of(folder / "not.png") == "out of memory"
+assert state() == before
+assert sorted(path.name for path in folder.iterdir() if path.suffix) == ["view é.png"]
