@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
+from .core.fields import FIELDS
 from .core.form import AUTO, NODES, OSL
 from .core.thickness import SOURCES
 from .scenes import stage_names
@@ -27,6 +28,8 @@ examples:
   nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-48 -o thin_##.png
   nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
   nacre render --batch looks.csv --stage shaderball --samples 64 -o looks/
+  nacre render --material soap_film --stage sphere --pixel 320 240 --json
+  nacre render --material soap_film --stage sphere --aov thickness --aov cos_theta -o bubble.exr
   nacre render --gallery --size 256x256 --samples 64 -o gallery/
   nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o frames/####.exr
 """
@@ -124,11 +127,30 @@ def parser() -> argparse.ArgumentParser:
         help=f"view transform of a PNG (default {DEFAULT_VIEW!r}, a .blend keeps its own)",
     )
     picture.add_argument(
+        "--aov",
+        metavar="NAME",
+        action="append",
+        default=[],
+        choices=[item.id for item in FIELDS],
+        help=f"a pass of the wave materials in a file with layers beside the first output, "
+        f"…_passes.exr: {', '.join(item.id for item in FIELDS)}; may be repeated",
+    )
+    picture.add_argument(
+        "--pixel",
+        metavar=("X", "Y"),
+        nargs=2,
+        type=_whole(0),
+        action="append",
+        default=[],
+        help="print thickness, angle, spectrum and colour of the film there, from the top left; may "
+        "be repeated; without -o nothing is rendered",
+    )
+    picture.add_argument(
         "-o",
         "--output",
         metavar="FILE",
         action="append",
-        required=True,
+        default=[],
         help=".exr: float, scene-linear; .png: 8 bit, through the view transform; may be repeated; "
         "of --batch and --gallery a folder",
     )
@@ -175,11 +197,21 @@ def _frames(text: str) -> range:
     return range(first, last + 1)
 
 
+def _check_looks(options: argparse.Namespace) -> None:
+    if options.pixel and (options.batch or options.gallery):
+        raise UsageError("--pixel does not go with --batch and --gallery")
+    if options.pixel and options.frames and len(options.frames) != 1:
+        raise UsageError("--pixel is of one frame: give --frames A")
+
+
 def parse(argv: Sequence[str]) -> argparse.Namespace:
     argv = list(argv)
     if argv[:1] == ["render"]:
         argv = argv[1:]
     options = parser().parse_args(argv)
+    if not options.output and not options.pixel:
+        raise UsageError("give -o FILE, or --pixel X Y")
+    _check_looks(options)
     if options.batch or options.gallery:
         if options.batch and options.gallery:
             raise UsageError("give one of --batch, --gallery")

@@ -15,6 +15,7 @@ import bpy
 from .core.whole_file import is_whole
 
 SUFFIXES = {".exr": "OPEN_EXR", ".png": "PNG"}
+_LAYERS = "OPEN_EXR_MULTILAYER"
 
 
 class OutputError(Exception):
@@ -48,16 +49,20 @@ def frame_path(path: Path, frame: int) -> Path:
 
 
 class Writer:
-    """Saves the render result; `discard` removes what is half done and may run in any thread."""
+    """Saves the render result; `discard` removes what is half done and may run in any thread.
 
-    def __init__(self, scene: bpy.types.Scene):
+    With layers, an .exr has all passes of the render.
+    """
+
+    def __init__(self, scene: bpy.types.Scene, *, layers: bool = False):
         self._scene = scene
+        self._formats = {**SUFFIXES, **({".exr": _LAYERS} if layers else {})}
         self._aside: Path | None = None
 
     def save(self, path: Path) -> None:
         self._aside = path.with_name(f".{path.stem}.{os.getpid()}.partial{path.suffix}")
         try:
-            with _image_settings(self._scene, SUFFIXES[path.suffix.lower()]):
+            with _image_settings(self._scene, self._formats[path.suffix.lower()]):
                 bpy.data.images["Render Result"].save_render(str(self._aside), scene=self._scene)
             if not is_whole(self._aside):
                 raise OutputError(f"{path}: could not be written to its end; is the disc full?")
@@ -77,10 +82,11 @@ class Writer:
 def _image_settings(scene: bpy.types.Scene, file_format: str) -> Iterator[None]:
     settings = scene.render.image_settings
     if hasattr(settings, "media_type"):  # Blender 5: the format has to belong to the medium
-        settings.media_type = "IMAGE"
+        settings.media_type = "MULTI_LAYER_IMAGE" if file_format == _LAYERS else "IMAGE"
     settings.file_format = file_format
-    settings.color_mode = "RGB"
-    settings.color_depth = "32" if file_format == "OPEN_EXR" else "8"
-    if file_format == "OPEN_EXR":
+    if file_format != _LAYERS:
+        settings.color_mode = "RGB"
+    settings.color_depth = "8" if file_format == "PNG" else "32"
+    if file_format != "PNG":
         settings.exr_codec = "ZIP"
     yield

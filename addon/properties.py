@@ -15,8 +15,9 @@ from bpy.props import (
     StringProperty,
 )
 
+from .core.fields import FIELDS, SHADED
 from .core.stack import Layer, Stack, StackError
-from .nodes import live
+from .nodes import live, views
 from .nodes import stack as stacks
 
 # The numbers are stored in .blend files: append, never reorder.
@@ -39,6 +40,10 @@ OBSERVERS = (
     ("cie1931", "CIE 1931", "2 degrees, the usual one", 0),
     ("cie1964", "CIE 1964", "10 degrees, for large fields", 1),
 )
+VIEWS = (
+    (SHADED, "Shaded", "Materials as they are", 0),
+    *((item.id, item.name, item.description, 1 + i) for i, item in enumerate(FIELDS)),
+)
 
 _filling: set[int] = set()  # materials whose properties follow the stored stack
 
@@ -58,6 +63,24 @@ def _on_edit(self, _context) -> None:
     material = self.id_data
     if material.session_uid not in _filling:
         store(material)
+
+
+def _shown_view(_self) -> int:
+    """Read from the nodes, so that undo and files agree with it."""
+    shown = views.shown()
+    return next(number for name, _, _, number in VIEWS if name == shown)
+
+
+def _show_view(self, number: int) -> None:
+    views.show(self.id_data, VIEWS[number][0])
+
+
+def _is_lamp(_self, obj: bpy.types.Object) -> bool:
+    return obj.type == "LIGHT"
+
+
+def _on_lamp(self, _context) -> None:
+    views.choose_lamp(self.id_data, self.view_lamp)
 
 
 class NACRE_PG_layer(bpy.types.PropertyGroup):
@@ -147,6 +170,26 @@ class NACRE_PG_scene(bpy.types.PropertyGroup):
         items=FORMS,
         default="auto",
     )
+    view: EnumProperty(
+        name="View",
+        description="What wave materials show; files are saved with their shaded surfaces",
+        items=VIEWS,
+        get=_shown_view,
+        set=_show_view,
+    )
+    view_lamp: PointerProperty(
+        name="Lamp",
+        description="What To Light points to; none: the nearest",
+        type=bpy.types.Object,
+        poll=_is_lamp,
+        update=_on_lamp,
+    )
+
+
+class NACRE_PG_probe(bpy.types.PropertyGroup):
+    """What the last probe found, as JSON; of this session, in no file."""
+
+    json: StringProperty()
 
 
 def fill(material: bpy.types.Material) -> None:
@@ -197,14 +240,16 @@ def _tidy(number: float) -> float:
     return float(f"{number:.7g}")
 
 
-CLASSES = (NACRE_PG_layer, NACRE_PG_stack, NACRE_PG_scene)
+CLASSES = (NACRE_PG_layer, NACRE_PG_stack, NACRE_PG_scene, NACRE_PG_probe)
 
 
 def register() -> None:
     bpy.types.Scene.nacre = PointerProperty(type=NACRE_PG_scene)
     bpy.types.Material.nacre = PointerProperty(type=NACRE_PG_stack)
+    bpy.types.WindowManager.nacre_probe = PointerProperty(type=NACRE_PG_probe)
 
 
 def unregister() -> None:
+    del bpy.types.WindowManager.nacre_probe
     del bpy.types.Material.nacre
     del bpy.types.Scene.nacre

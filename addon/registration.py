@@ -8,9 +8,9 @@ import bpy
 
 from . import properties
 from .nodes import assets as asset_library
-from .nodes import fallback, live, schema
-from .operators import assets, assign, fix, stack, thickness
-from .ui import panels, preferences, stack_panel, swatch
+from .nodes import fallback, live, schema, views
+from .operators import assets, assign, fix, passes, picture, probe, stack, thickness
+from .ui import panels, preferences, stack_panel, swatch, viewer_panel
 
 _CLASSES = (
     *properties.CLASSES,
@@ -20,8 +20,12 @@ _CLASSES = (
     *fix.CLASSES,
     *thickness.CLASSES,
     *stack.CLASSES,
+    *passes.CLASSES,
+    *picture.CLASSES,
+    *probe.CLASSES,
     *panels.CLASSES,
     *stack_panel.CLASSES,
+    *viewer_panel.CLASSES,
 )
 
 _commands: list[object] = []
@@ -33,6 +37,7 @@ def register() -> None:
     properties.register()
     schema.register()
     live.register()
+    views.register()
     fallback.register()
     panels.add_to_menus()
     if asset_library.is_built(asset_library.default_folder()):
@@ -46,9 +51,11 @@ def unregister() -> None:
     panels.remove_from_menus()
     asset_library.hide(asset_library.default_folder())
     fallback.unregister()
+    views.unregister()
     live.unregister()
     schema.unregister()
     swatch.unregister()
+    probe.forget()
     properties.unregister()
     for cls in reversed(_CLASSES):
         bpy.utils.unregister_class(cls)

@@ -18,15 +18,18 @@ from pathlib import Path
 import bpy
 
 from . import batch, console, gallery, output
+from .core.exr import ExrError
 from .core.form import OSL, FormError, choose_form
 from .core.library import Library
 from .core.manifest import CompiledMaterial, ManifestError, from_memory, load_folder
 from .core.oso import OsoError
+from .core.probe import Probe, ProbeError
 from .core.stack import StackError, edit, is_path, read_stack, write_template
 from .core.values import AssignmentError, parse_assignments
+from .nodes import passes, thickness
 from .nodes import scene as scene_setup
-from .nodes import thickness
 from .nodes.material import create_material, input_socket, set_values
+from .nodes.probe import in_picture
 from .options import DEFAULT_VIEW, UsageError, parse
 from .scenes import StageError, build_stage
 
@@ -37,6 +40,8 @@ _ERRORS = (
     StageError,
     OsoError,
     StackError,
+    ExrError,
+    ProbeError,
     output.OutputError,
 )
 
@@ -62,8 +67,8 @@ def main(argv: Sequence[str]) -> int:
             output.check(outputs)
             report = _run(options, outputs)
             if options.json:
-                print(json.dumps(report, sort_keys=True), file=stdout)
-            elif not options.quiet:
+                print(json.dumps(report, sort_keys=True, default=Probe.data), file=stdout)
+            elif not options.quiet or not outputs:
                 print(_summary(report), file=stdout)
         return 0
     except SystemExit as done:  # --help
@@ -117,8 +122,10 @@ def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
     for note in job.notes:
         if not options.quiet:
             print(f"nacre render: {note}", file=sys.stderr)
-    written = _render(job.scene, options, outputs)
+    found = _probe(job.scene, options)
+    written = _render(job.scene, options, outputs) if outputs else []
     return {
+        **({"probes": found} if found else {}),
         "output": [str(path) for path in written],
         "materials": job.forms,
         "samples": job.scene.cycles.samples,
@@ -129,14 +136,23 @@ def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
     }
 
 
+def _probe(scene: bpy.types.Scene, options: argparse.Namespace) -> list[Probe]:
+    if options.pixel and options.frames:
+        scene.frame_set(options.frames[0])
+    return [in_picture(scene, scene.view_layers[0], tuple(pixel)) for pixel in options.pixel]
+
+
 def _summary(report: dict) -> str:
+    found = [probe.text() for probe in report.get("probes", ())]
+    if not report["output"]:
+        return "\n\n".join(found)
     forms = ", ".join(f"{name} ({form})" for name, form in report["materials"].items())
     view = report["view_transform"]
     lines = []
     for path in report["output"]:
         how = f", {view}" if path.lower().endswith(".png") else ""
         lines.append(f"{path}: {forms or 'rendered'}{how}")
-    return "\n".join([*lines, f"{report['seconds']:.1f} s, Blender {report['blender']}"])
+    return "\n".join([*found, *lines, f"{report['seconds']:.1f} s, Blender {report['blender']}"])
 
 
 def _compiled(options: argparse.Namespace) -> CompiledMaterial:
@@ -347,4 +363,13 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
             for path in paths:
                 writer.save(path)
                 written.append(path)
+            if options.aov:
+                written.append(_render_passes(scene, options, paths[0]))
     return written
+
+
+def _render_passes(scene: bpy.types.Scene, options: argparse.Namespace, beside: Path) -> Path:
+    path = beside.with_name(f"{beside.stem}_passes.exr")
+    with passes.rendered(scene, scene.view_layers[0], options.aov) as aside:
+        output.Writer(aside, layers=True).save(path)
+    return path

@@ -182,10 +182,10 @@ def _source_socket(
     index = names.index(source.socket)
     socket = nodes[GROUP_INPUT].outputs[index]
     kind = material.sockets[index].type
-    return _given_or_geometry(group, socket, kind) if kind in DIRECTIONS else socket
+    return given_or_geometry(group, socket, kind) if kind in DIRECTIONS else socket
 
 
-def _given_or_geometry(
+def given_or_geometry(
     group: bpy.types.NodeTree, given: bpy.types.NodeSocket, kind: str
 ) -> bpy.types.NodeSocket:
     """The given direction, or the geometry's where nothing is plugged in (a zero vector).

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import bpy
@@ -15,6 +15,9 @@ from ..core.problems import AssignedMaterial
 from . import animation, schema
 from . import group as groups
 from .image import is_missing
+
+AFTER_REBUILD: list[Callable[[bpy.types.Material], None]] = []
+"""What looks at a material's group, and has to look at the new one."""
 
 
 def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material:
@@ -63,6 +66,8 @@ def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, f
     surface = next(n for n in material.node_tree.nodes if n.type == "OUTPUT_MATERIAL")
     if not surface.inputs["Surface"].is_linked:
         material.node_tree.links.new(node.outputs[0], surface.inputs["Surface"])
+    for follow in AFTER_REBUILD:
+        follow(material)
 
 
 def group_node(material: bpy.types.Material | None) -> bpy.types.ShaderNodeGroup | None:

@@ -8,14 +8,27 @@ import functools
 
 import bpy
 
+from ..core.exr import ExrError
 from ..core.form import FormError
 from ..core.manifest import ManifestError
 from ..core.oso import OsoError
+from ..core.probe import ProbeError
 from ..core.stack import StackError
 from ..nodes import schema
 from ..nodes.material import group_node
+from ..output import OutputError
 
-_EXPECTED = (FormError, ManifestError, OsoError, StackError, OSError, RuntimeError)
+_EXPECTED = (
+    ExrError,
+    FormError,
+    ManifestError,
+    OsoError,
+    OutputError,
+    ProbeError,
+    StackError,
+    OSError,
+    RuntimeError,
+)
 
 
 def allows_change(operator: type[bpy.types.Operator], material: bpy.types.Material) -> bool:

@@ -118,17 +118,28 @@ def _draw_menu_entry(self, _context) -> None:
     self.layout.operator("nacre.assign_material", icon="SHADING_RENDERED")
 
 
-_MENUS = ("VIEW3D_MT_object", "MATERIAL_MT_context_menu")
+def _draw_view_entries(self, _context) -> None:
+    self.layout.separator()
+    self.layout.operator_context = "INVOKE_DEFAULT"
+    self.layout.operator("nacre.probe", icon="EYEDROPPER")
+    self.layout.operator("nacre.viewport_picture", icon="IMAGE_DATA")
+
+
+_MENUS = (
+    ("VIEW3D_MT_object", _draw_menu_entry),
+    ("MATERIAL_MT_context_menu", _draw_menu_entry),
+    ("VIEW3D_MT_view", _draw_view_entries),
+)
 
 
 def add_to_menus() -> None:
-    for name in _MENUS:
-        getattr(bpy.types, name).append(_draw_menu_entry)
+    for name, draw in _MENUS:
+        getattr(bpy.types, name).append(draw)
 
 
 def remove_from_menus() -> None:
-    for name in _MENUS:
-        getattr(bpy.types, name).remove(_draw_menu_entry)
+    for name, draw in _MENUS:
+        getattr(bpy.types, name).remove(draw)
 
 
 CLASSES = (NACRE_PT_material, NACRE_PT_shader_editor)

@@ -30,6 +30,11 @@ def spectrum(material: bpy.types.Material, value: float, angle_deg: float) -> in
     return _icon(f"{material.session_uid}:spectrum", key, _draw_spectrum)
 
 
+def curve(name: str, values: tuple[float, ...]) -> int:
+    """Icon of a spectrum that is known already, 471 values from 360 nm."""
+    return _icon(name, (values,), _draw_curve)
+
+
 def unregister() -> None:
     while _collections:
         bpy.utils.previews.remove(_collections.pop())
@@ -69,10 +74,14 @@ def _draw_swatch(wanted: stack.Recipe, rows: int):
 def _draw_spectrum(wanted: stack.Recipe, value: float, angle_deg: float):
     import nacre
 
+    found = nacre.template_spectrum(wanted.template, value, angle_deg, **wanted.colours)
+    return _draw_curve(tuple(found.reflectance))
+
+
+def _draw_curve(values: tuple[float, ...]):
     from ..core import plot
 
-    found = nacre.template_spectrum(wanted.template, value, angle_deg, **wanted.colours)
-    return plot.spectrum(found.reflectance, _wavelength_colours())
+    return plot.spectrum(values, _wavelength_colours())
 
 
 @lru_cache(maxsize=1)

@@ -53,6 +53,8 @@ def script_node(tree, oso: str, values: dict):
         words = default.replace('"', "").split()
         if osl_type == "string":
             socket.default_value = values.get(name, words[0] if words else "")
+        elif osl_type == "vector":
+            socket.default_value = values.get(name, list(map(float, words[:3])))
         elif osl_type == "color":
             socket.default_value = [*values.get(name, map(float, words[:3])), 1.0]
         else:
@@ -96,7 +98,8 @@ def camera_at(scene, location, rotation, ortho_scale):
     scene.collection.objects.link(scene.camera)
 
 
-def material_from(osl: str, folder: Path, values: dict):
+def material_from(osl: str, folder: Path, values: dict, coordinates: str = ""):
+    """`coordinates`: the input that gets the mesh's UV."""
     material = bpy.data.materials.new("Probe")
     material.use_nodes = True
     tree = material.node_tree
@@ -104,6 +107,9 @@ def material_from(osl: str, folder: Path, values: dict):
     output = tree.nodes.new("ShaderNodeOutputMaterial")
     node = script_node(tree, compile_osl(osl, folder, "probe"), values)
     tree.links.new(node.outputs[0], output.inputs["Surface"])
+    if coordinates:
+        source = tree.nodes.new("ShaderNodeTexCoord")
+        tree.links.new(source.outputs["UV"], node.inputs[coordinates])
     return material
 
 
@@ -178,7 +184,7 @@ def task_render(job: dict, folder: Path) -> dict:
     background = scene.world.node_tree.nodes["Background"]
     background.inputs["Color"].default_value = (1, 1, 1, 1)
     background.inputs["Strength"].default_value = job.get("world", 1.0)
-    material = material_from(job["osl"], folder, job.get("values", {}))
+    material = material_from(job["osl"], folder, job.get("values", {}), job.get("coordinates", ""))
     if job["object"] == "disc":
         add_disc(scene, material)
     else:

@@ -32,6 +32,9 @@ Options:
   --stage NAME           furnace, sphere, plane, bubble or shaderball
   --vary SOURCE          thickness that varies: drop, drainage, swirl; may be repeated, swirl last
   --thickness-map FILE   a picture of the thickness; --range LOW:HIGH what black and white mean
+  --pixel X Y            thickness, angle, spectrum and colour of the film there; needs no -o
+  --aov NAME             a pass in a file beside the picture: normal, uv, to_camera, to_light,
+                         thickness or cos_theta; may be repeated
   --samples N            samples a pixel
   --size WxH             pixels
   --seed S               of the noise; the same seed gives the same pixels

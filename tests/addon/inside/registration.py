@@ -17,7 +17,7 @@ def snapshot() -> dict[str, set[str]]:
     }
     drawn = {
         f"{name}:{len(getattr(bpy.types, name)._dyn_ui_initialize())}"
-        for name in ("VIEW3D_MT_object", "MATERIAL_MT_context_menu")
+        for name in ("VIEW3D_MT_object", "MATERIAL_MT_context_menu", "VIEW3D_MT_view")
     }
     return {
         "types": set(dir(bpy.types)),

@@ -1,0 +1,126 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""OpenEXR files as far as the extension reads them itself: headers, chunks, and the pixels of
+uncompressed scan-line files with channels of 32 bits. Blender gives no other way to the layers of a
+render. Source: OpenEXR file layout, https://openexr.com/en/latest/OpenEXRFileLayout.html."""
+
+from __future__ import annotations
+
+import struct
+from array import array
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+Attributes = dict[str, bytes]
+
+_MULTI_PART = 0x1000
+# Scan lines in a chunk, by the code of the compression ("compression").
+_LINES = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256}
+_FLOAT = 2
+
+
+class ExrError(Exception):
+    """A file is not what is read here."""
+
+
+@dataclass(frozen=True)
+class Part:
+    attributes: Attributes
+    offsets: tuple[int, ...]  # of its chunks in the file
+
+
+@dataclass(frozen=True)
+class File:
+    data: bytes
+    parts: tuple[Part, ...]
+    multi_part: bool
+
+    @classmethod
+    def parse(cls, data: bytes) -> File:
+        """Raises struct.error, ValueError, KeyError or IndexError where the data end too early."""
+        multi_part = bool(struct.unpack_from("<I", data, 4)[0] & _MULTI_PART)
+        headers, position = [], 8  # magic number and version
+        while True:
+            attributes, position = _header(data, position)
+            headers.append(attributes)
+            if not multi_part:
+                break
+            if data[position] == 0:  # an empty header ends the list
+                position += 1
+                break
+        parts = []
+        for attributes in headers:
+            count = _chunk_count(attributes)
+            parts.append(Part(attributes, struct.unpack_from(f"<{count}Q", data, position)))
+            position += 8 * count
+        return cls(data, tuple(parts), multi_part)
+
+    def chunks(self, part: Part) -> Iterator[tuple[int, int, int]]:
+        """First scan line, place of the pixels in the file, and their size in bytes."""
+        for offset in part.offsets:
+            start = offset + (4 if self.multi_part else 0)
+            line, size = struct.unpack_from("<ii", self.data, start)
+            yield line, start + 8, size
+
+
+def read_channels(path: Path) -> dict[str, array]:
+    """Values of all channels of all parts by name, row by row from the top. Names are without the
+    view layer in front: `Combined.R`, `nacre_uv.G`."""
+    try:
+        file = File.parse(path.read_bytes())
+        channels: dict[str, array] = {}
+        for part in file.parts:
+            channels |= _read_part(file, part)
+    except (struct.error, ValueError, KeyError, IndexError) as error:
+        raise ExrError(f"{path}: cannot be read: {error!r}") from error
+    return channels
+
+
+def _read_part(file: File, part: Part) -> dict[str, array]:
+    if part.attributes["compression"] != b"\0":
+        raise ValueError("compressed")
+    x_min, _, x_max, _ = struct.unpack("<4i", part.attributes["dataWindow"])
+    row = 4 * (x_max - x_min + 1)
+    names = _channel_names(part.attributes["channels"])
+    # The name of a part is that of the layer: ViewLayer.nacre_uv
+    layer = part.attributes.get("name", b"").rstrip(b"\0").decode()
+    found = {name: array("f") for name in names}
+    for _, position, size in sorted(file.chunks(part)):
+        if size != row * len(names):
+            raise ValueError("chunk of another size")
+        for index, name in enumerate(names):
+            start = position + index * row
+            found[name].frombytes(file.data[start : start + row])
+    full = {f"{layer}.{name}" if file.multi_part else name: v for name, v in found.items()}
+    return {".".join(name.split(".")[-2:]): values for name, values in full.items()}
+
+
+def _channel_names(data: bytes) -> list[str]:
+    names, position = [], 0
+    while data[position] != 0:
+        end = data.index(b"\0", position)
+        (kind,) = struct.unpack_from("<i", data, end + 1)
+        if kind != _FLOAT:
+            raise ValueError("channels of another type than float")
+        names.append(data[position:end].decode())
+        position = end + 17  # type, linearity, two samplings
+    return names
+
+
+def _chunk_count(attributes: Attributes) -> int:
+    _, y_min, _, y_max = struct.unpack("<4i", attributes["dataWindow"])
+    return -(-(y_max - y_min + 1) // _LINES[attributes["compression"][0]])
+
+
+def _header(data: bytes, position: int) -> tuple[Attributes, int]:
+    """Attributes by name, and where the header ends."""
+    attributes: Attributes = {}
+    while data[position] != 0:
+        name_end = data.index(b"\0", position)
+        type_end = data.index(b"\0", name_end + 1)
+        (size,) = struct.unpack_from("<i", data, type_end + 1)
+        start = type_end + 5
+        attributes[data[position:name_end].decode("latin-1")] = data[start : start + size]
+        position = start + size
+    return attributes, position + 1
