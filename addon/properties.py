@@ -15,6 +15,7 @@ from bpy.props import (
     StringProperty,
 )
 
+from .core.stack import TECHNIQUES as TECHNIQUE_TEXTS
 from .core.stack import Layer, Stack, StackError
 from .nodes import live
 from .nodes import stack as stacks
@@ -38,6 +39,10 @@ ILLUMINANTS = (
 OBSERVERS = (
     ("cie1931", "CIE 1931", "2 degrees, the usual one", 0),
     ("cie1964", "CIE 1964", "10 degrees, for large fields", 1),
+)
+TECHNIQUES = tuple(
+    (name, label, text, number)
+    for number, (name, (label, text)) in enumerate(TECHNIQUE_TEXTS.items())
 )
 
 _filling: set[int] = set()  # materials whose properties follow the stored stack
@@ -131,6 +136,12 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
         update=_on_edit,
     )
     observer: EnumProperty(name="Observer", items=OBSERVERS, update=_on_edit)
+    technique: EnumProperty(
+        name="Technique",
+        description="What the reflectance is computed by; all but the first are for comparison",
+        items=TECHNIQUES,
+        update=_on_edit,
+    )
     plot_angle_deg: FloatProperty(
         name="Angle (°)",
         description="Angle of incidence of the plotted spectrum",
@@ -165,6 +176,7 @@ def fill(material: bpy.types.Material) -> None:
         shown.varying = -1 if stack.varying is None else stack.varying
         shown.low_nm, shown.high_nm = stack.range_nm
         shown.illuminant, shown.observer = wanted.illuminant, wanted.observer
+        shown.technique = stack.technique
         shown.active = min(shown.active, max(0, len(stack.layers) - 1))
     finally:
         _filling.discard(material.session_uid)
@@ -181,6 +193,7 @@ def store(material: bpy.types.Material) -> None:
         substrate=shown.substrate,
         varying=varying,
         range_nm=(_tidy(shown.low_nm), max(_tidy(shown.high_nm), _tidy(shown.low_nm) + 1.0)),
+        technique=shown.technique,
         rest=before.rest,
     )
     try:
