@@ -13,6 +13,7 @@ from typing import NoReturn
 
 from .core.fields import FIELDS
 from .core.form import AUTO, NODES, OSL
+from .core.stack import MULTILAYER, TECHNIQUES
 from .core.thickness import SOURCES
 from .scenes import stage_names
 
@@ -23,6 +24,7 @@ examples:
   nacre render --material soap_film --stage bubble -o bubble.png
   nacre render --material oil_on_water --set thickness_nm=420 --stage furnace --size 128x128 -o oil.exr
   nacre render --material oil_on_water --set substrate=Au/Johnson --set range_nm=0:300 -o gilt.png
+  nacre render --material soap_film --technique airy --stage bubble -o airy.png
   nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
   nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
   nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-48 -o thin_##.png
@@ -84,6 +86,13 @@ def parser() -> argparse.ArgumentParser:
         default=[],
         help="a value of the material, or of its stack: layers.0.thickness_nm=420, "
         "layers.0.medium=TiO2/Sarkar, layers.0.coherent=false, ambient, substrate, range_nm=LOW:HIGH",
+    )
+    stage.add_argument(
+        "--technique",
+        choices=TECHNIQUES,
+        metavar="NAME",
+        help="what a film's reflectance is computed by, for comparison: "
+        f"{', '.join(TECHNIQUES)} (default: the template's, mostly {MULTILAYER})",
     )
     stage.add_argument(
         "--animate",
@@ -226,10 +235,10 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
     if options.blend is None and options.assign:
         raise UsageError("--assign needs --blend")
     varied = options.vary or options.thickness_map
-    of_a_stage = options.stage or options.set or options.animate
+    of_a_stage = options.stage or options.set or options.animate or options.technique
     if options.blend is not None and (of_a_stage or varied):
         raise UsageError(
-            "--stage, --set, --animate, --vary and --thickness-map do not go with --blend"
+            "--stage, --set, --technique, --animate, --vary and --thickness-map do not go with --blend"
         )
     moves = options.blend or options.animate or "swirl" in options.vary
     if options.frames and not moves:

@@ -16,6 +16,7 @@ from bpy.props import (
 )
 
 from .core.fields import FIELDS, SHADED
+from .core.stack import TECHNIQUES as TECHNIQUE_TEXTS
 from .core.stack import Layer, Stack, StackError
 from .nodes import live, views
 from .nodes import stack as stacks
@@ -43,6 +44,10 @@ OBSERVERS = (
 VIEWS = (
     (SHADED, "Shaded", "Materials as they are", 0),
     *((item.id, item.name, item.description, 1 + i) for i, item in enumerate(FIELDS)),
+)
+TECHNIQUES = tuple(
+    (name, label, text, number)
+    for number, (name, (label, text)) in enumerate(TECHNIQUE_TEXTS.items())
 )
 
 _filling: set[int] = set()  # materials whose properties follow the stored stack
@@ -154,6 +159,12 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
         update=_on_edit,
     )
     observer: EnumProperty(name="Observer", items=OBSERVERS, update=_on_edit)
+    technique: EnumProperty(
+        name="Technique",
+        description="What the reflectance is computed by; all but the first are for comparison",
+        items=TECHNIQUES,
+        update=_on_edit,
+    )
     plot_angle_deg: FloatProperty(
         name="Angle (°)",
         description="Angle of incidence of the plotted spectrum",
@@ -208,6 +219,7 @@ def fill(material: bpy.types.Material) -> None:
         shown.varying = -1 if stack.varying is None else stack.varying
         shown.low_nm, shown.high_nm = stack.range_nm
         shown.illuminant, shown.observer = wanted.illuminant, wanted.observer
+        shown.technique = stack.technique
         shown.active = min(shown.active, max(0, len(stack.layers) - 1))
     finally:
         _filling.discard(material.session_uid)
@@ -224,6 +236,7 @@ def store(material: bpy.types.Material) -> None:
         substrate=shown.substrate,
         varying=varying,
         range_nm=(_tidy(shown.low_nm), max(_tidy(shown.high_nm), _tidy(shown.low_nm) + 1.0)),
+        technique=shown.technique,
         rest=before.rest,
     )
     try:

@@ -156,8 +156,10 @@ def _summary(report: dict) -> str:
 
 
 def _compiled(options: argparse.Namespace) -> CompiledMaterial:
-    """The material, with its stack edited where `--set` asks for it."""
-    edits = [text for text in options.set if is_path(text.partition("=")[0])]
+    """The material, with its stack edited where `--set` or `--technique` asks for it."""
+    edits = [("--set", text) for text in options.set if is_path(text.partition("=")[0])]
+    if options.technique:
+        edits.append(("--technique", f"technique={options.technique}"))
     if not edits:
         return _unedited(options)
     if options.template is not None:
@@ -166,12 +168,12 @@ def _compiled(options: argparse.Namespace) -> CompiledMaterial:
         found = _unedited(options)
         text, name = found.template, found.id
     stack, problems = read_stack(text), []
-    for edit_ in edits:
-        path, _, value = edit_.partition("=")
+    for option, assignment in edits:
+        path, _, value = assignment.partition("=")
         try:
             stack = edit(stack, path, value)
         except StackError as error:
-            problems.append(f"--set: {error}")
+            problems.append(f"{option}: {error}")
     if problems:
         raise UsageError("\n".join(problems))
     return _compile_text(write_template(stack), name)

@@ -15,6 +15,19 @@ from typing import Any
 MOST_LAYERS = 64
 """cpp_tools/include/nacre/optics/multilayer.h says so too, and checks."""
 
+MULTILAYER = "multilayer"
+TECHNIQUES = {
+    MULTILAYER: ("Multilayer", "Interference of all layers; the reference"),
+    "path_difference": ("Path Difference", "Bands without physics, for style; one clear film"),
+    "airy": ("Airy", "Two beams in closed form; one clear film on a clear base"),
+    "series": ("Cut Series", "Two round trips and no more, loses light; one clear film and base"),
+    "opaque_base": ("Opaque Base", "Closed form over metal; one clear film"),
+    "free_film": ("Free Film", "Closed form with one medium on both sides; one clear film"),
+    "etalon": ("Etalon", "Two mirrors as bright as the upper face; one clear film"),
+    "recursion": ("Recursion", "From the substrate up, any number of coherent layers"),
+}
+"""Of `[stack] technique`: label and tooltip. The same names as in the reader of templates."""
+
 _MEDIUM_KEYS = ("medium", "n", "k", "cauchy", "sellmeier", "abbe")
 _NUMBER = r"[0-9]*\.?[0-9]+(?:e[+-]?[0-9]+)?"
 _COMPLEX = re.compile(rf"({_NUMBER})(?:\+({_NUMBER})i)?", re.IGNORECASE)
@@ -40,6 +53,7 @@ class Stack:
     substrate: str
     varying: int | None = None  # index of the layer whose thickness the artist has as a slider
     range_nm: tuple[float, float] = (0.0, 1000.0)  # of it
+    technique: str = MULTILAYER  # of TECHNIQUES
     rest: dict[str, Any] = field(default_factory=dict)
 
     @property
@@ -83,8 +97,23 @@ def _read(data: dict[str, Any]) -> Stack:
         stack.layers.append(
             Layer(medium_text(layer), float(thickness), bool(layer.get("coherent", True)))
         )
+    stack.technique = _take_technique(data)
     stack.rest = data
     return stack
+
+
+def _take_technique(data: dict[str, Any]) -> str:
+    whole = data.get("stack", {})
+    technique = str(whole.pop("technique", MULTILAYER))
+    if not whole:
+        data.pop("stack", None)
+    return _technique(technique)
+
+
+def _technique(name: str) -> str:
+    if name not in TECHNIQUES:
+        raise StackError(f"technique: must be one of {', '.join(TECHNIQUES)} (got {name})")
+    return name
 
 
 def write_template(stack: Stack) -> str:
@@ -107,12 +136,18 @@ def write_template(stack: Stack) -> str:
             entry["coherent"] = False
         _add_table(lines, "[[layer]]", entry)
     _add_table(lines, "[substrate]", parse_medium(stack.substrate))
-    for name, value in stack.rest.items():
+    for name, value in _rest(stack).items():
         if name in ("schema", "material"):
             continue
         for item in value if isinstance(value, list) else [value]:
             _add_table(lines, f"[[{name}]]" if isinstance(value, list) else f"[{name}]", item)
     return "\n".join(lines) + "\n"
+
+
+def _rest(stack: Stack) -> dict[str, Any]:
+    if stack.technique == MULTILAYER:
+        return stack.rest
+    return {**stack.rest, "stack": {**stack.rest.get("stack", {}), "technique": stack.technique}}
 
 
 def _add_table(lines: list[str], head: str, values: dict[str, Any]) -> None:
@@ -203,12 +238,14 @@ def _short(number: float) -> str:
 
 def is_path(name: str) -> bool:
     """Whether `--set name=value` means the stack, not a value of the material."""
-    return name in ("ambient", "substrate", "range_nm") or name.startswith("layers.")
+    names = ("ambient", "substrate", "range_nm", "technique")
+    return name in names or name.startswith("layers.")
 
 
 def edit(stack: Stack, path: str, value: str) -> Stack:
     """A copy with one thing changed: `ambient`, `substrate`, `layers.N.medium`,
-    `layers.N.thickness_nm`, `layers.N.coherent`, counted from 0, or `range_nm` = LOW:HIGH."""
+    `layers.N.thickness_nm`, `layers.N.coherent`, counted from 0, `range_nm` = LOW:HIGH or
+    `technique`."""
     result = copy.deepcopy(stack)
     if path in ("ambient", "substrate"):
         parse_medium(value)
@@ -216,6 +253,9 @@ def edit(stack: Stack, path: str, value: str) -> Stack:
         return result
     if path == "range_nm":
         result.range_nm = _range(value)
+        return result
+    if path == "technique":
+        result.technique = _technique(value)
         return result
     _, index, name = (*path.split("."), "", "")[:3]
     if not index.isdecimal() or int(index) >= len(stack.layers):

@@ -83,6 +83,7 @@ def _draw_layers(layout, shown) -> None:
         else:
             fields.prop(layer, "thickness_nm")
     layout.prop(shown, "substrate", icon="TRIA_UP_BAR")
+    layout.prop(shown, "technique")
     row = layout.row(align=True)
     row.prop(shown, "illuminant", text="")
     row.prop(shown, "observer", text="")

@@ -74,6 +74,26 @@ def test_a_stack_is_edited_by_name(blender45, tmp_path, library):
     assert "--set: a medium must be named" in done.stderr
 
 
+def test_a_technique_is_asked_for(blender45, tmp_path, library):
+    blender45.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
+    rows = "output,technique\nfull,\nairy,airy\nbands,path_difference\nno,free_film\ncut,series\n"
+    table = tmp_path / "techniques.csv"
+    table.write_text(rows, "utf-8")
+    done = blender45.render(
+        "--material", "oil_on_water", "--set", "range_nm=100:300", *QUICK,
+        "--batch", table, "-o", tmp_path / "out", "--json",
+    )  # fmt: skip
+    assert done.returncode == 1
+    report = json.loads(done.stdout)
+    assert sorted(report["rendered"]) == ["airy.png", "bands.png", "cut.png", "full.png"]
+    assert "substrate.medium: must equal that of the ambient" in report["failed"]["no.png"]
+    full, airy, bands = (
+        oiio.ImageBuf(str(tmp_path / "out" / f"{name}.png")) for name in ("full", "airy", "bands")
+    )
+    assert oiio.ImageBufAlgo.compare(full, airy, 2 / 255, 0).maxerror <= 2 / 255
+    assert oiio.ImageBufAlgo.compare(full, bands, 0.1, 0).maxerror > 0.1
+
+
 BATCH = """output,material,thickness_nm,roughness,size
 a,test_film,300,,
 sub/b.exr,test_film,500,0.2,12x12
@@ -175,6 +195,12 @@ def test_a_value_runs_over_the_frames(blender45, tmp_path):
     ("arguments", "message"),
     [
         (["--material", "soap"], "unknown material 'soap'; there are: test_film, test_grating"),
+        (["--material", "test_film", "--technique", "fresnel"], "invalid choice: 'fresnel'"),
+        (
+            ["--material", "test_grating", "--technique", "airy"],
+            "not the template of a film",
+        ),
+        (["--blend", "a.blend", "--technique", "airy"], "do not go with --blend"),
         (["--material", "test_film", "--set", "depth=1"], "there are: thickness_nm, roughness"),
         (
             ["--material", "test_film", "--set", "thickness_nm=-5"],

@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+import json
+import os
+import subprocess
 import tomllib
 
 import numpy as np
@@ -11,6 +14,7 @@ import pytest
 from conftest import ROOT
 from nacre_extension.core import plot
 from nacre_extension.core.stack import (
+    TECHNIQUES,
     StackError,
     edit,
     is_path,
@@ -48,6 +52,28 @@ def test_templates_come_back_as_they_were(path):
     written = write_template(read_stack(text))
     assert unrolled(tomllib.loads(written)) == unrolled(tomllib.loads(text))
     assert write_template(read_stack(written)) == written
+
+
+@pytest.mark.parametrize("technique", TECHNIQUES)
+@pytest.mark.parametrize("text", [SOAP, BEETLE], ids=["soap", "beetle"])
+def test_technique_is_kept(text, technique):
+    stack = edit(read_stack(text), "technique", technique)
+    written = write_template(stack)
+    assert read_stack(written) == stack
+    whole = tomllib.loads(written).get("stack", {})
+    assert whole.get("technique", "multilayer") == technique
+    assert ("scale" in whole) == stack.has_scale
+    back = edit(read_stack(written), "technique", "multilayer")
+    assert write_template(back) == write_template(read_stack(text))
+
+
+def test_techniques_are_those_of_the_reader():
+    done = subprocess.run(
+        [os.environ["NACRE"], "library", "schema"], capture_output=True, text=True, check=True
+    )
+    schema = json.loads(done.stdout)
+    names = schema["properties"]["stack"]["properties"]["technique"]["enum"]
+    assert list(TECHNIQUES) == names
 
 
 def test_groups_are_unrolled():
@@ -99,7 +125,9 @@ def test_edits_change_one_thing():
     assert edit(stack, "substrate", "Au/Johnson").substrate == "Au/Johnson"
     assert edit(stack, "range_nm", "100:800").range_nm == (100.0, 800.0)
     assert stack == read_stack(SOAP)
+    assert edit(stack, "technique", "airy").technique == "airy"
     assert is_path("layers.1.medium")
+    assert is_path("technique")
     assert not is_path("thickness_nm")
 
 
@@ -114,6 +142,7 @@ def test_edits_change_one_thing():
         ("layers.0.coherent", "no", "must be true or false"),
         ("range_nm", "800:100", "must be LOW:HIGH"),
         ("substrate", "", "must be named"),
+        ("technique", "fresnel", r"must be one of multilayer, .*, recursion \(got fresnel\)"),
     ],
 )
 def test_edits_that_cannot_be(path, value, message):

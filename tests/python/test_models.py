@@ -67,7 +67,8 @@ def test_slits():
     [
         (
             {"model": "magic"},
-            "model: must be one of airy, series, opaque_base, free_film, etalon, recursion (got 'magic')",
+            "model: must be one of path_difference, airy, series, opaque_base, free_film, etalon, "
+            "recursion (got 'magic')",
         ),
         ({"n": [1, 1.5]}, "n: must list ambient, film and base (got shape (2,))"),
         (

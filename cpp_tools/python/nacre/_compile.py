@@ -145,7 +145,8 @@ def template_spectrum(
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
 ) -> TemplateSpectrum:
-    """What the film of a template reflects and lets pass, unpolarised, by the exact multilayer.
+    """What the film of a template reflects and lets pass, unpolarised, by its
+    technique: the exact multilayer unless it asks for another.
 
     Parameters
     ----------

@@ -7,15 +7,32 @@
 #include <cmath>
 
 #include "nacre/core/diagnostics.h"
+#include "nacre/optics/film_model_stack.h"
 
 namespace nacre::lut {
 namespace {
 
-void check_stack(const SampledStack& stack, DiagnosticList& problems)
+void check_technique(const FilmTableRequest& request, const optics::FilmStack& at, std::size_t i,
+                     DiagnosticList& problems)
 {
+    if (!request.technique || at.layers.empty() || request.technique->from_below) return;
+    for (const optics::StackProblem& problem :
+         optics::film_model_problems(request.technique->model, at))
+        problems.add({{},
+                      0,
+                      fmt::format("{}[{}]", problem.field, problem.index),
+                      fmt::format("{} for the technique {} (at {} nm)", problem.message,
+                                  optics::film_model_name(request.technique->model),
+                                  spectral::wavelength_nm(i))});
+}
+
+void check_stack(const FilmTableRequest& request, DiagnosticList& problems)
+{
+    const SampledStack& stack = request.stack;
     optics::FilmStack at{.ambient = {}, .layers = {}, .substrate = {}};
     for (const SampledLayer& layer : stack.layers)
-        at.layers.push_back({.n = {}, .thickness_nm = layer.thickness_nm, .coherent = true});
+        at.layers.push_back(
+            {.n = {}, .thickness_nm = layer.thickness_nm, .coherent = layer.coherent});
     for (std::size_t i = 0; i < spectral::kWavelengths; ++i) {
         at.ambient = stack.ambient[i];
         at.substrate = stack.substrate[i];
@@ -28,6 +45,8 @@ void check_stack(const SampledStack& stack, DiagnosticList& problems)
                  fmt::format("{} (at {} nm)", problem->message, spectral::wavelength_nm(i))});
             return;  // the same medium is often wrong at every wavelength
         }
+        check_technique(request, at, i, problems);
+        if (!problems.empty()) return;
     }
 }
 
@@ -36,7 +55,7 @@ void check_stack(const SampledStack& stack, DiagnosticList& problems)
 void check(const FilmTableRequest& request)
 {
     DiagnosticList problems;
-    check_stack(request.stack, problems);
+    check_stack(request, problems);
     if (const auto& variation = request.variation) {
         const bool ordered = std::isfinite(variation->min) && std::isfinite(variation->max) &&
                              variation->min >= 0.0 && variation->min < variation->max;

@@ -121,6 +121,20 @@ bool all_coherent(const SpectralBlocks& spectral)
            spectral.coherent.end();
 }
 
+/// Cells of 1 nm.
+optics::FilmModelStack::Setup setup(const SpectralBlocks& spectral,
+                                    const SpectralBlocks::Block& block)
+{
+    optics::FilmModelStack::Setup result{
+        .model = spectral.technique->model,
+        .varying = spectral.variation ? spectral.variation->layer : std::nullopt,
+        .from_below = spectral.technique->from_below,
+        .half_cell = {}};
+    for (std::size_t i = 0; i < kLanes; ++i)
+        result.half_cell[i] = 0.5 * block.inverse_wavelength[i];
+    return result;
+}
+
 void scale(Lanes& lanes, double factor)
 {
     for (double& value : lanes) value *= factor;
@@ -131,6 +145,7 @@ void scale(Lanes& lanes, double factor)
 SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(request.variation)
 {
     for (const SampledLayer& layer : request.stack.layers) coherent.push_back(layer.coherent);
+    if (!request.stack.layers.empty()) technique = request.technique;
     for (std::size_t b = 0; b < kBlocks; ++b)
         blocks.push_back(make_block(request, b * optics::kLanes));
 }
@@ -141,7 +156,10 @@ Column::Column(const SpectralBlocks& spectral) : spectral_(&spectral)
     for (const SpectralBlocks::Block& block : spectral.blocks) {
         optics::LaneStack stack = block.stack;
         stack.cos_0.fill(1.0);
-        if (!all_coherent(spectral))
+        if (spectral.technique)
+            blocks_.emplace_back(std::in_place_type<optics::FilmModelStack>, stack,
+                                 setup(spectral, block));
+        else if (!all_coherent(spectral))
             blocks_.emplace_back(std::in_place_type<optics::MixedStack>, stack, spectral.coherent,
                                  varying);
         else if (varying)
@@ -171,9 +189,12 @@ void Column::rows(std::size_t b, double first, double step, std::span<LanesOf<Re
         scale(stride, step);
         if (const auto* map = std::get_if<optics::PhaseMap>(&block))
             map->march(start, stride, R, T);
-        if constexpr (std::is_same_v<Real, double>)
+        if constexpr (std::is_same_v<Real, double>) {
             if (const auto* mixed = std::get_if<optics::MixedStack>(&block))
                 mixed->march(start, stride, R, T);
+            if (const auto* form = std::get_if<optics::FilmModelStack>(&block))
+                form->march(start, stride, R, T);
+        }
         return;
     }
     if (!spectral_->variation) {
@@ -182,9 +203,12 @@ void Column::rows(std::size_t b, double first, double step, std::span<LanesOf<Re
     }
     if (const auto* scaled = std::get_if<optics::ScaledStack>(&block))
         scaled->march(first, step, R, T);
-    if constexpr (std::is_same_v<Real, double>)
+    if constexpr (std::is_same_v<Real, double>) {
         if (const auto* mixed = std::get_if<optics::MixedStack>(&block))
             mixed->march(first, step, R, T);
+        if (const auto* form = std::get_if<optics::FilmModelStack>(&block))
+            form->march(first, step, R, T);
+    }
 }
 
 template <class Real>
@@ -228,7 +252,8 @@ void Column::visit_reflectance(
 void Column::evaluate(double first, double step, std::span<FilmColour> out,
                       Precision precision) const
 {
-    if (precision == Precision::single_precision && !grazing_ && all_coherent(*spectral_))
+    const bool has_single = all_coherent(*spectral_) && !spectral_->technique;
+    if (precision == Precision::single_precision && !grazing_ && has_single)
         evaluate_in<float>(first, step, out);
     else
         evaluate_in<double>(first, step, out);

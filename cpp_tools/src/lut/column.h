@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "nacre/lut/film_table.h"
+#include "nacre/optics/film_model_stack.h"
 #include "nacre/optics/stack_batch.h"
 
 namespace nacre::lut {
@@ -32,6 +33,7 @@ public:
     std::vector<Block> blocks;
     std::vector<bool> coherent;
     std::optional<Variation> variation;
+    std::optional<Technique> technique;  ///< of a stack with layers
 };
 
 /// Colours along the second axis at one angle. One object for one thread.
@@ -53,8 +55,11 @@ public:
                                                     const optics::Lanes& R)>& visit) const;
 
 private:
-    /// Folded around the varying layer, prepared for a factor on all, or for incoherent layers.
-    std::vector<std::variant<optics::PhaseMap, optics::ScaledStack, optics::MixedStack>> blocks_;
+    /// Folded around the varying layer, prepared for a factor on all, for incoherent layers, or by
+    /// a closed form.
+    using Stack = std::variant<optics::PhaseMap, optics::ScaledStack, optics::MixedStack,
+                               optics::FilmModelStack>;
+    std::vector<Stack> blocks_;
     const SpectralBlocks* spectral_;
     bool grazing_ = false;
 

@@ -252,7 +252,10 @@ Baked bake_to_tolerance(Baker& baker)
         }
         const bool angle = size.height < 2 || baked.along_angle >= baked.along_variation;
         int& texels = angle ? size.width : size.height;
-        if (texels == request.max_texels) refuse_tolerance(request, error);
+        if (texels == request.max_texels) {
+            if (request.accept_error) return baked;
+            refuse_tolerance(request, error);
+        }
         texels = refined(texels, error, request.tolerance, request.max_texels);
     }
 }

@@ -132,6 +132,7 @@ FilmTableRequest seen_from_below(FilmTableRequest request)
     SampledStack& stack = request.stack;
     std::swap(stack.ambient, stack.substrate);
     std::ranges::reverse(stack.layers);
+    if (request.technique) request.technique->from_below = !request.technique->from_below;
     if (request.variation && request.variation->layer)
         request.variation->layer = stack.layers.size() - 1 - *request.variation->layer;
     return request;

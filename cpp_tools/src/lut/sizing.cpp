@@ -75,7 +75,8 @@ int texels_for(Baker& baker, double share, int first, double (*error_along)(Bake
         const double error = error_along(baker, texels);
         if (error <= share) return texels;
         if (texels == request.max_texels) {
-            if (error > request.tolerance) refuse_tolerance(request, error);
+            if (error > request.tolerance && !request.accept_error)
+                refuse_tolerance(request, error);
             return texels;
         }
         texels = refined(texels, error, share, request.max_texels);

@@ -147,17 +147,38 @@ std::vector<LayerSpec> read_layers(Section& root)
     return layers;
 }
 
-void read_scale(Section& root, StackSpec& stack)
+void read_scale(Section& section, StackSpec& stack)
+{
+    if (auto scale = section.section("scale"))
+        stack.scale = read_range(*scale, {.min = 0.0, .max = 100.0}, true);
+    if (stack.scale && stack.varying_layer())
+        section.report("scale", "excludes a layer that varies");
+    if (section.has("scale") && std::ranges::none_of(stack.layers, &LayerSpec::coherent))
+        section.report("scale", "needs a coherent layer to act on");
+}
+
+void read_technique(Section& section, StackSpec& stack)
+{
+    const auto name = section.text("technique");
+    stack.technique_line = section.line("technique");
+    if (!name) return;
+    const auto names = technique_names();
+    const auto it = std::ranges::find(names, *name);
+    if (it == names.end())
+        section.report("technique", fmt::format("must be one of {} (got \"{}\")",
+                                                fmt::join(names, ", "), *name));
+    else
+        stack.technique = static_cast<Technique>(it - names.begin());
+}
+
+/// `[stack]`: what is said of all layers.
+void read_whole(Section& root, StackSpec& stack)
 {
     auto section = root.section("stack");
     if (!section) return;
-    section->require("scale", "a table { default, min, max }");
-    if (auto scale = section->section("scale"))
-        stack.scale = read_range(*scale, {.min = 0.0, .max = 100.0}, true);
-    if (stack.scale && stack.varying_layer())
-        section->report("scale", "excludes a layer that varies");
-    if (std::ranges::none_of(stack.layers, &LayerSpec::coherent))
-        section->report("scale", "needs a coherent layer to act on");
+    if (!section->has("technique")) section->require("scale", "a table { default, min, max }");
+    read_scale(*section, stack);
+    read_technique(*section, stack);
     section->report_unknown_keys();
 }
 
@@ -174,7 +195,7 @@ StackSpec read_stack(Section& root)
     stack.ambient = read_medium_at(root, "ambient");
     stack.layers = read_layers(root);
     stack.substrate = read_medium_at(root, "substrate");
-    read_scale(root, stack);
+    read_whole(root, stack);
     if (absorbs(stack.ambient)) root.report("ambient", "must not absorb: k must be 0");
     return stack;
 }

@@ -137,6 +137,20 @@ Json material_schema()
                   {"id", "name", "category", "source"});
 }
 
+Json technique_schema()
+{
+    return {{"enum", technique_names()},
+            {"description", "what the reflectance is computed by; else multilayer"}};
+}
+
+Json whole_schema()
+{
+    const Json scale = range({{"minimum", 0}, {"maximum", 100}}, false, {"default", "min", "max"});
+    Json result = object({{"scale", scale}, {"technique", technique_schema()}}, Json::array());
+    result["minProperties"] = 1;
+    return result;
+}
+
 Json base_schema()
 {
     return {{"type", "array"},
@@ -162,7 +176,6 @@ Json parameter_schema()
 
 std::string template_json_schema()
 {
-    const Json scale = range({{"minimum", 0}, {"maximum", 100}}, false, {"default", "min", "max"});
     const Json layers{
         {"type", "array"},
         {"items", {{"oneOf", Json::array({reference("layer"), reference("group")})}}}};
@@ -172,7 +185,7 @@ std::string template_json_schema()
          {"ambient", reference("medium")},
          {"layer", layers},
          {"substrate", reference("medium")},
-         {"stack", object({{"scale", scale}}, {"scale"})},
+         {"stack", whole_schema()},
          {"grating", grating_schema()},
          {"glass", reference("medium")},
          {"surface", object({{"roughness", number({{"minimum", 0}, {"maximum", 1}}, "Blender's")},

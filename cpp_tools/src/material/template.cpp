@@ -162,6 +162,19 @@ std::optional<std::size_t> StackSpec::varying_layer() const
     return static_cast<std::size_t>(it - layers.begin());
 }
 
+std::span<const std::string_view> technique_names()
+{
+    static constexpr std::array<std::string_view, 8> kNames{
+        "multilayer",  "path_difference", "airy",   "series",
+        "opaque_base", "free_film",       "etalon", "recursion"};
+    return kNames;
+}
+
+std::string_view technique_name(Technique technique)
+{
+    return technique_names()[static_cast<std::size_t>(technique)];
+}
+
 const ParameterSpec* MaterialTemplate::parameter(std::string_view parameter_name) const
 {
     const auto it = std::ranges::find(parameters, parameter_name, &ParameterSpec::name);

@@ -3,18 +3,24 @@
 #include "nacre/optics/film_models.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 
 #include <fmt/format.h>
 
+#include "film_forms.h"
 #include "nacre/core/diagnostics.h"
 
 namespace nacre::optics {
 namespace {
 
 using std::numbers::pi;
+
+/// In the order of FilmModel.
+constexpr std::array<std::string_view, 7> kModelNames{
+    "path_difference", "airy", "series", "opaque_base", "free_film", "etalon", "recursion"};
 
 class Domain {
 public:
@@ -132,6 +138,25 @@ void check_recursion(const FilmStack& stack, const Incidence& light)
     domain.throw_if_any();
 }
 
+/// 1 − cosδ, with its digits in a film that is all but gone.
+double versine(double phase) noexcept
+{
+    const double half = std::sin(0.5 * phase);
+    return 2.0 * half * half;
+}
+
+/// 2 n d cosθ_light cosθ_view, in nm.
+double bands_path(const SingleFilm& film, double cos_light, double cos_view, double wavelength_nm)
+{
+    Domain domain;
+    domain.light(std::min(cos_light, cos_view), wavelength_nm);
+    domain.light(std::max(cos_light, cos_view), wavelength_nm);
+    domain.film(film, std::min(cos_light, cos_view));
+    domain.throw_if_any();
+    return 2.0 * film.n_film * film.thickness_nm * cosine_in_film(film, cos_light) *
+           cosine_in_film(film, cos_view);
+}
+
 double sinc(double x) noexcept
 {
     return x == 0.0 ? 1.0 : std::sin(x) / x;
@@ -151,28 +176,41 @@ double round_trip_phase(const SingleFilm& film, double cos_ambient, double wavel
 double path_difference_bands(const SingleFilm& film, double cos_light, double cos_view,
                              double wavelength_nm)
 {
-    Domain domain;
-    domain.light(std::min(cos_light, cos_view), wavelength_nm);
-    domain.light(std::max(cos_light, cos_view), wavelength_nm);
-    domain.film(film, std::min(cos_light, cos_view));
-    domain.throw_if_any();
-    const double waves = 2.0 * film.n_film * film.thickness_nm * cosine_in_film(film, cos_light) *
-                         cosine_in_film(film, cos_view) / wavelength_nm;
+    const double waves = bands_path(film, cos_light, cos_view, wavelength_nm) / wavelength_nm;
     return waves - std::floor(waves);
+}
+
+double path_difference_mean(const SingleFilm& film, double cos_ambient, double wavelength_nm,
+                            double cell_nm)
+{
+    Domain domain;
+    domain.require(cell_nm >= 0.0 && cell_nm < wavelength_nm, "cell_nm",
+                   "must be in [0, wavelength_nm)");
+    domain.throw_if_any();
+    const double path = bands_path(film, cos_ambient, cos_ambient, wavelength_nm);
+    const double half = 0.5 * cell_nm;
+    return forms::mean_fraction(path / (wavelength_nm + half), path / (wavelength_nm - half));
 }
 
 double airy_reflectance(const SingleFilm& film, const Incidence& light)
 {
     const Surfaces at = clear_surfaces(film, light);
     const Complex once = at.r12 * std::polar(1.0, at.phase);
-    return std::norm((at.r01 + once) / (1.0 + at.r01 * once));
+    return forms::airy_R(at.r01, once.real(), once.imag());
 }
 
 double series_reflectance(const SingleFilm& film, const Incidence& light)
 {
     const Surfaces at = clear_surfaces(film, light);
     const Complex once = at.r12 * std::polar(1.0, at.phase);
-    return std::norm(at.r01 + at.t01 * at.t10 * once * (1.0 - at.r01 * once));
+    return forms::series_R(at.r01, once.real(), once.imag());
+}
+
+double series_transmittance(const SingleFilm& film, const Incidence& light)
+{
+    const Surfaces at = clear_surfaces(film, light);
+    const Complex once = at.r12 * std::polar(1.0, at.phase);
+    return forms::series_T(at.r01, std::norm(at.r12), once.real(), once.imag());
 }
 
 double series_error_bound(const SingleFilm& film, const Incidence& light)
@@ -190,10 +228,8 @@ double opaque_base_reflectance(const SingleFilm& film, const Incidence& light)
     domain.film(film, light.cos_ambient);
     domain.throw_if_any();
     const Surfaces at = surfaces(film, light);
-    const double mixed =
-        2.0 * at.r01 * (at.r12.real() * std::cos(at.phase) - at.r12.imag() * std::sin(at.phase));
-    const double top = at.r01 * at.r01, bottom = std::norm(at.r12);
-    return (top + bottom + mixed) / (1.0 + top * bottom + mixed);
+    const double once = at.r12.real() * std::cos(at.phase) - at.r12.imag() * std::sin(at.phase);
+    return forms::opaque_base_R(at.r01, std::norm(at.r12), once);
 }
 
 double free_film_reflectance(const SingleFilm& film, const Incidence& light)
@@ -203,11 +239,7 @@ double free_film_reflectance(const SingleFilm& film, const Incidence& light)
                  "must equal n[0]: a free film has the same medium on both sides");
     same.throw_if_any();
     const Surfaces at = clear_surfaces(film, light);
-    const double r2 = at.r01 * at.r01;
-    // 1 − cosδ = 2 sin²(δ/2), which keeps its digits in a film that is all but gone.
-    const double half = std::sin(0.5 * at.phase);
-    const double swing = 4.0 * r2 * half * half;
-    return swing / ((1.0 - r2) * (1.0 - r2) + swing);
+    return forms::etalon_R(at.r01 * at.r01, versine(at.phase));
 }
 
 double etalon_transmittance(double mirror_reflectance, double phase_rad)
@@ -217,8 +249,7 @@ double etalon_transmittance(double mirror_reflectance, double phase_rad)
                    "must be in [0, 1)");
     domain.require(std::isfinite(phase_rad), "phase_rad", "must be finite");
     domain.throw_if_any();
-    const double loss = 1.0 - mirror_reflectance, half = std::sin(0.5 * phase_rad);
-    return 1.0 / (1.0 + 4.0 * mirror_reflectance / (loss * loss) * half * half);
+    return forms::etalon_T(mirror_reflectance, versine(phase_rad));
 }
 
 double etalon_reflectance(const SingleFilm& film, const Incidence& light,
@@ -271,25 +302,33 @@ PowerRatios recursion_power(const FilmStack& stack, const Incidence& light)
     return {.R = R, .T = T, .A = 1.0 - R - T};
 }
 
+std::span<const std::string_view> film_model_names()
+{
+    return kModelNames;
+}
+
+std::string_view film_model_name(FilmModel model)
+{
+    return kModelNames[static_cast<std::size_t>(model)];
+}
+
 FilmModel film_model_from_name(std::string_view name)
 {
-    if (name == "airy") return FilmModel::airy;
-    if (name == "series") return FilmModel::series;
-    if (name == "opaque_base") return FilmModel::opaque_base;
-    if (name == "free_film") return FilmModel::free_film;
-    if (name == "etalon") return FilmModel::etalon;
-    if (name == "recursion") return FilmModel::recursion;
-    throw InputError(
-        {.file = {},
-         .field = "model",
-         .message = fmt::format(
-             "must be one of airy, series, opaque_base, free_film, etalon, recursion (got '{}')",
-             name)});
+    const auto it = std::ranges::find(kModelNames, name);
+    if (it == kModelNames.end())
+        throw InputError({.file = {},
+                          .field = "model",
+                          .message = fmt::format("must be one of {} (got '{}')",
+                                                 fmt::join(kModelNames, ", "), name)});
+    return static_cast<FilmModel>(it - kModelNames.begin());
 }
 
 double film_reflectance(FilmModel model, const SingleFilm& film, const Incidence& light)
 {
     switch (model) {
+        case FilmModel::path_difference:
+            return path_difference_bands(film, light.cos_ambient, light.cos_ambient,
+                                         light.wavelength_nm);
         case FilmModel::airy:
             return airy_reflectance(film, light);
         case FilmModel::series:

@@ -102,6 +102,8 @@ Json manifest(const Context& context)
                 {"graphs", {{"osl", osl_graph(context)}, {"nodes", node_graph(context)}}}};
     for (const Socket& socket : sockets(context)) result["sockets"].push_back(socket_entry(socket));
     for (const TableInfo& table : context.tables) result["tables"].push_back(table_entry(table));
+    if (const auto* stack = std::get_if<material::StackSpec>(&source.kind))
+        result["technique"] = material::technique_name(stack->technique);
     if (context.schlick)
         result["schlick"] = {
             {"exponents", context.schlick->exponents},

@@ -13,6 +13,7 @@
 #include "nacre/oslgen/material_program.h"
 #include "nacre/pipeline/shader_tables.h"
 #include "nacre/spectral/wavelength_sampling.h"
+#include "technique.h"
 
 namespace nacre::pipeline {
 namespace {
@@ -29,8 +30,8 @@ constexpr double kLineF = 486.1327, kLineD = 587.5618, kLineC = 656.2725;
 constexpr double kKnotStepNm = 10.0;
 constexpr int kKnots = 48;
 
-// A clear medium's data sheet may list a trace of absorption.
-constexpr double kTraceOfK = 1e-4;
+// Its jumps leave a kink at every cell of wavelengths: the error falls only with the step itself.
+constexpr int kMostTexelsOfBands = 512;
 
 spectral::ColourWeights colour_weights(const CompileOptions& options)
 {
@@ -228,11 +229,16 @@ lut::FilmTableRequest film_request(const MaterialTemplate& source, const Compile
     lut::FilmTableRequest request;
     const bool light_goes_on = source.interior() != material::Interior::opaque;
     request.stack = sampled_stack(*stack, light_goes_on, source.file);
+    request.technique = technique(*stack, request.stack, source.file);
     request.variation = variation(*stack);
     request.weights = colour_weights(options);
     request.tolerance = options.tolerance;
     request.transmittance = light_goes_on;
     request.progress = options.progress;
+    if (stack->technique == material::Technique::path_difference) {
+        request.max_texels = kMostTexelsOfBands;
+        request.accept_error = true;
+    }
     return request;
 }
 

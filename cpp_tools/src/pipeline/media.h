@@ -11,6 +11,9 @@
 
 namespace nacre::pipeline {
 
+/// A clear medium's data sheet may list a trace of absorption.
+inline constexpr double kTraceOfK = 1e-4;
+
 /// Looks up the media of one template. Problems carry the template's file, line and field; they
 /// are collected, so that a user sees all of them.
 class MediaReader {

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "nacre/core/diagnostics.h"
+#include "nacre/optics/film_model_stack.h"
 #include "nacre/optics/multilayer.h"
 #include "nacre/spectral/wavelengths.h"
 
@@ -96,6 +97,16 @@ void check(const TableLayout& table, bool varies, const std::string& file)
     refuse_size(table, file);
 }
 
+optics::PowerRatios power_at(const lut::FilmTableRequest& request, const optics::FilmStack& stack,
+                             double cos_theta, double wavelength_nm)
+{
+    constexpr double kCellNm = 1.0;  // of the grid
+    if (request.technique && !stack.layers.empty())
+        return optics::film_model_power(request.technique->model, stack, cos_theta, wavelength_nm,
+                                        kCellNm);
+    return optics::stack_power_unpolarised(stack, cos_theta, wavelength_nm);
+}
+
 /// The stack at thicknesses of its own; indices are filled in for each wavelength.
 optics::FilmStack stack_at(const lut::FilmTableRequest& request, double value)
 {
@@ -160,7 +171,7 @@ FilmSpectrum film_spectrum(const MaterialTemplate& source, const CompileOptions&
         for (std::size_t i = 0; i < stack.layers.size(); ++i)
             stack.layers[i].n = request.stack.layers[i].n[w];
         const optics::PowerRatios power =
-            optics::stack_power_unpolarised(stack, cos_theta, spectral::wavelength_nm(w));
+            power_at(request, stack, cos_theta, spectral::wavelength_nm(w));
         result.reflectance[w] = power.R;
         result.transmittance[w] = power.T;
     }

@@ -132,6 +132,27 @@ assert "must be named" in live.problem(material)
 shown.substrate = "Ag/Johnson"
 assert live.problem(material) == ""
 
+# Another technique is seen at once; one outside its domain is told, and changes nothing.
+assert shown.technique == "multilayer"
+before = texels(material)
+shown.technique = "opaque_base"
+assert live.problem(material) == "", live.problem(material)
+assert np.abs(texels(material) - before).max() < 1e-3  # exact
+before = texels(material)
+shown.technique = "airy"
+assert 'with technique "airy"' in live.problem(material), live.problem(material)
+assert np.array_equal(texels(material), before)
+shown.technique = "path_difference"
+assert live.problem(material) == "", live.problem(material)
+assert np.abs(texels(material) - before).mean() > 0.02
+assert 'technique = "path_difference"' in material["nacre_template"]
+properties = module("properties")
+numbers = [item[3] for item in properties.TECHNIQUES]
+assert numbers == list(range(8))  # stored in files
+assert properties.TECHNIQUES[1][0] == "path_difference"
+shown.technique = "multilayer"
+assert "technique" not in material["nacre_template"]
+
 # Undo takes the step back, texels too, in a file that was never saved.
 stack.finish(material)
 whole, name = texels(material), material.name

@@ -123,6 +123,24 @@ scale = { default = 1.0, min = 0.8, max = 1.2 }
     EXPECT_FALSE(stack.varying_layer().has_value());
 }
 
+TEST(Template, ReadsTheTechnique)
+{
+    const auto technique = [](const std::string& stack) {
+        const std::string text = kFilm + "[[layer]]\nn = 1.3\nthickness_nm = 5\n" + stack;
+        return std::get<StackSpec>(parse_template(text, "t.toml").kind).technique;
+    };
+    EXPECT_EQ(technique(""), Technique::multilayer);
+    for (std::size_t i = 0; i < technique_names().size(); ++i) {
+        const auto wanted = static_cast<Technique>(i);
+        EXPECT_EQ(
+            technique("[stack]\ntechnique = \"" + std::string(technique_name(wanted)) + "\"\n"),
+            wanted);
+    }
+    EXPECT_EQ(technique("[stack]\ntechnique = \"airy\"\n"
+                        "scale = { default = 1, min = 0.5, max = 2 }\n"),
+              Technique::airy);
+}
+
 TEST(Template, ReadsGratingAndGlass)
 {
     const auto disc = parse_template(kHead + R"([grating]
@@ -277,6 +295,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"scale_and_varies",
                  kFilm + kVarying + "[stack]\nscale = { default = 1, min = 0.5, max = 2 }\n",
                  "t.toml:15: stack.scale: excludes a layer that varies"},
+        BadInput{"technique",
+                 layer("n = 1.3\nthickness_nm = 5") + "[stack]\ntechnique = \"fresnel\"\n",
+                 "stack.technique: must be one of multilayer, path_difference, airy, series, "
+                 "opaque_base, free_film, etalon, recursion (got \"fresnel\")"},
+        BadInput{"empty_stack", layer("n = 1.3\nthickness_nm = 5") + "[stack]\n", "stack.scale: "},
         BadInput{"scale_of_nothing",
                  kFilm + "[stack]\nscale = { default = 1, min = 0.5, max = 2 }\n",
                  "stack.scale: needs a coherent layer"},

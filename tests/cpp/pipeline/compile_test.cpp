@@ -12,6 +12,8 @@
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
+#include "nacre/lut/film_table.h"
+#include "nacre/optics/film_model_stack.h"
 #include "nacre/optics/microfacet.h"
 
 namespace nacre::pipeline {
@@ -259,6 +261,153 @@ TEST(Compile, RefusesAMetalAsGlassOrAmbient)
     const std::string ambient =
         problems(kHead + "[ambient]\nmedium = \"Al/Rakic\"\n[substrate]\nn = 1.5\n");
     EXPECT_NE(ambient.find("ambient.medium: must not absorb"), std::string::npos) << ambient;
+}
+
+/// A film of 20 … 500 nm that a technique is asked for.
+std::string by_technique(const std::string& technique, const std::string& film,
+                         const std::string& base, const std::string& surface = "")
+{
+    return kHead + "[ambient]\nn = 1\n[[layer]]\n" + film +
+           "\nthickness_nm = { default = 100, min = 20, max = 500, varies = true }\n[substrate]\n" +
+           base + "\n[stack]\ntechnique = \"" + technique + "\"\n[surface]\n" + surface;
+}
+
+lut::FilmTableRequest request_of(const std::string& toml)
+{
+    return film_request(material::parse_template(toml, "t.toml"), quick());
+}
+
+TEST(Technique, NamesAreThoseOfTheForms)
+{
+    const auto names = material::technique_names();
+    ASSERT_EQ(names.size(), optics::film_model_names().size() + 1);
+    EXPECT_EQ(names.front(), material::technique_name(material::Technique::multilayer));
+    EXPECT_TRUE(std::ranges::equal(names.subspan(1), optics::film_model_names()));
+}
+
+/// Colour of the form at one angle and thickness, summed wavelength by wavelength.
+lut::FilmColour by_form(const lut::FilmTableRequest& request, double cos_theta, double thickness)
+{
+    spectral::Sampled R{}, T{};
+    for (std::size_t i = 0; i < spectral::kWavelengths; ++i) {
+        const optics::FilmStack stack{request.stack.ambient[i],
+                                      {{request.stack.layers[0].n[i], thickness}},
+                                      request.stack.substrate[i]};
+        const auto power = optics::film_model_power(request.technique->model, stack, cos_theta,
+                                                    spectral::wavelength_nm(i), 1.0);
+        R[i] = power.R;
+        T[i] = power.T;
+    }
+    return {request.weights.apply(R), request.weights.apply(T)};
+}
+
+struct TechniqueCase {
+    const char *technique, *film, *base;
+    bool exact;  ///< the multilayer
+};
+
+class EveryTechnique : public testing::TestWithParam<TechniqueCase> {};
+
+TEST_P(EveryTechnique, BakesItsOwnReflectance)
+{
+    const auto [technique, film, base, exact] = GetParam();
+    const auto request = request_of(by_technique(technique, film, base));
+    const lut::Table table = lut::bake_film_tables(request).reflectance;
+    EXPECT_LE(table.error_max, quick().tolerance);
+    const auto plain = request_of(by_technique("multilayer", film, base));
+    ASSERT_FALSE(plain.technique.has_value());
+    double differs = 0.0;
+    for (const int x : {1, table.x.texels / 2, table.x.texels - 1})
+        for (const int y : {0, table.y.texels / 3, table.y.texels - 1}) {
+            const double cos_theta = static_cast<double>(x) / (table.x.texels - 1);
+            const double thickness = 20.0 + 480.0 * y / (table.y.texels - 1);
+            const spectral::Vec3 form = by_form(request, cos_theta, thickness).reflectance;
+            const spectral::Vec3 multilayer =
+                lut::exact_film_colour(plain, cos_theta, thickness).reflectance;
+            for (std::size_t c = 0; c < 3; ++c) {
+                const auto texel = static_cast<std::size_t>(y * table.x.texels + x);
+                EXPECT_NEAR(table.texels[3 * texel + c], form[c], 2e-6) << technique;
+                differs = std::max(differs, std::abs(form[c] - multilayer[c]));
+            }
+        }
+    if (exact)
+        EXPECT_LT(differs, 1e-9);
+    else
+        EXPECT_GT(differs, 1e-3);
+}
+
+constexpr const char *kWater = "medium = \"water/Daimon-20C\"", *kAir = "n = 1",
+                     *kSteel = "medium = \"Fe/Johnson\"",
+                     *kGlass = "abbe = { n_d = 1.5168, v_d = 64.2 }",
+                     *kTitania = "cauchy = [2.2, 0.032]";
+
+INSTANTIATE_TEST_SUITE_P(Technique, EveryTechnique,
+                         testing::Values(TechniqueCase{"path_difference", kWater, kAir, false},
+                                         TechniqueCase{"airy", kTitania, kGlass, true},
+                                         TechniqueCase{"series", kTitania, kGlass, false},
+                                         TechniqueCase{"opaque_base", kTitania, kSteel, true},
+                                         TechniqueCase{"free_film", kWater, kAir, true},
+                                         TechniqueCase{"etalon", kWater, kAir, true},
+                                         TechniqueCase{"etalon", kTitania, kGlass, false},
+                                         TechniqueCase{"recursion", kTitania, kSteel, true}),
+                         [](const auto& test) {
+                             return std::string(test.param.technique) + std::to_string(test.index);
+                         });
+
+TEST(Technique, LosslessFormsPassOnWhatTheyDoNotReflect)
+{
+    const std::string surface = "transmission = true\n";
+    const auto sums = [&](const char* technique) {
+        const auto tables =
+            lut::bake_film_tables(request_of(by_technique(technique, kWater, kAir, surface)));
+        double largest = 0.0;
+        for (std::size_t i = 0; i < tables.reflectance.texels.size(); ++i) {
+            const double sum = static_cast<double>(tables.reflectance.texels[i]) +
+                               static_cast<double>(tables.transmittance->texels[i]);
+            largest = std::max(largest, std::abs(sum - 1.0));
+        }
+        return largest;
+    };
+    EXPECT_LT(sums("etalon"), 1e-5);
+    EXPECT_LT(sums("path_difference"), 1e-5);
+    EXPECT_GT(sums("series"), 0.05);
+}
+
+/// All tables, the means from below among them, of forms that are exact.
+TEST(Technique, ExactFormsHaveTheTablesOfTheMultilayer)
+{
+    const std::string surface =
+        "diffuse_base = [0.8, 0.5, 0.25]\n[[parameter]]\nname = \"coverage\"\n"
+        "label = \"Coverage\"\ndefault = 1\n";
+    const auto all = [&](const char* technique) {
+        return compiled(by_technique(technique, kTitania, kGlass, surface));
+    };
+    const CompiledMaterial multilayer = all("multilayer"), airy = all("airy");
+    EXPECT_EQ(Json::parse(multilayer.manifest)["technique"], "multilayer");
+    EXPECT_EQ(Json::parse(airy.manifest)["technique"], "airy");
+    ASSERT_EQ(names(airy), names(multilayer));
+    for (std::size_t i = 0; i < airy.tables.size(); ++i) {
+        const lut::Table &a = airy.tables[i], &b = multilayer.tables[i];
+        if (a.quantity == "schlick_coefficients") continue;  // large ones that cancel
+        ASSERT_EQ(a.texels.size(), b.texels.size()) << a.name;
+        for (std::size_t k = 0; k < a.texels.size(); ++k)
+            ASSERT_NEAR(a.texels[k], b.texels[k], 1e-5) << a.name;
+    }
+}
+
+TEST(Technique, RefusesAStackOutsideItsDomain)
+{
+    EXPECT_EQ(problems(by_technique("airy", kTitania, kSteel)),
+              "t.toml:13: substrate.medium: must have k = 0 with technique \"airy\" (at 360 nm); "
+              "choose \"multilayer\", which takes any stack\n");
+    const std::string film = problems(by_technique("series", "n = 0.9\nk = 0.1", "n = 0.8"));
+    EXPECT_NE(film.find("t.toml:10: layer[0].n: must have k = 0"), std::string::npos) << film;
+    EXPECT_NE(film.find("t.toml:10: layer[0].n: must not be below"), std::string::npos) << film;
+    EXPECT_NE(film.find("t.toml:14: substrate.n: must not be below"), std::string::npos) << film;
+    const std::string two =
+        by_technique("free_film", "n = 1.5\nthickness_nm = 10\n[[layer]]\nn = 1.4", kAir);
+    EXPECT_NE(problems(two).find("layer: must be the only layer"), std::string::npos)
+        << problems(two);
 }
 
 TEST(FilmRequest, HasTheStackOfTheTemplateOnTheGrid)

@@ -62,6 +62,46 @@ TEST(PreviewTables, FitEveryKindOfFilm)
     }
 }
 
+std::string with_technique(const std::string& technique)
+{
+    return text_of("soap_film") + "\n[stack]\ntechnique = \"" + technique + "\"\n";
+}
+
+TEST(PreviewTables, FollowTheTechnique)
+{
+    const std::vector<TableLayout> layout{{"R", {65, 65}}, {"T", {65, 65}}};
+    const auto texels = [&layout](const std::string& technique) {
+        const auto source = material::parse_template(with_technique(technique), "t.toml");
+        return preview_tables(source, {}, layout).front().texels;
+    };
+    const auto mean_difference = [](const std::vector<float>& a, const std::vector<float>& b) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+        return sum / static_cast<double>(a.size());
+    };
+    const auto multilayer = texels("multilayer");
+    EXPECT_LT(mean_difference(texels("free_film"), multilayer), 1e-4);
+    EXPECT_LT(mean_difference(texels("recursion"), multilayer), 1e-4);
+    EXPECT_GT(mean_difference(texels("path_difference"), multilayer), 0.1);
+}
+
+TEST(FilmSpectrumOf, TheTechniqueAsked)
+{
+    const auto at = [](const std::string& technique) {
+        const auto source = material::parse_template(with_technique(technique), "t.toml");
+        return film_spectrum(source, {}, 0.2, 400.0);
+    };
+    const FilmSpectrum exact = at("multilayer"), free = at("free_film"), cut = at("series"),
+                       bands = at("path_difference");
+    double loss = 0.0;
+    for (std::size_t i = 0; i < spectral::kWavelengths; ++i) {
+        EXPECT_NEAR(free.reflectance[i], exact.reflectance[i], 1e-12);
+        EXPECT_NEAR(bands.reflectance[i] + bands.transmittance[i], 1.0, 1e-12);
+        loss = std::max(loss, std::abs(1.0 - cut.reflectance[i] - cut.transmittance[i]));
+    }
+    EXPECT_GT(loss, 0.01);
+}
+
 TEST(PreviewTables, FollowAnEdit)
 {
     std::string text = text_of("dichroic_mirror");

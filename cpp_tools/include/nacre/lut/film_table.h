@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "nacre/lut/table.h"
+#include "nacre/optics/film_models.h"
 #include "nacre/optics/multilayer.h"
 #include "nacre/spectral/colour.h"
 
@@ -37,6 +38,12 @@ struct Variation {
     double min, max;                   ///< nm, or a factor
 };
 
+/// A form of film_models.h in place of the multilayer.
+struct Technique {
+    optics::FilmModel model;
+    bool from_below = false;  ///< the stack is listed from the substrate up
+};
+
 /// Of the arithmetic that is done once a texel and wavelength.
 enum class Precision {
     double_precision,
@@ -46,15 +53,18 @@ enum class Precision {
 struct FilmTableRequest {
     SampledStack stack;
     std::optional<Variation> variation;  ///< none: one row
+    std::optional<Technique> technique;  ///< none: the multilayer, as is a stack without layers
     spectral::ColourWeights weights;
     double tolerance = 0.1;                  ///< ΔE00 between texels; decides the size
     int max_texels = 4096;                   ///< per axis
+    bool accept_error = false;               ///< of the largest table, where it is over tolerance
     bool transmittance = false;              ///< also bake T
     std::optional<std::array<int, 2>> size;  ///< width, height; overrides the tolerance
     /// False: the errors are NaN, and a bake costs a fifth.
     /// @pre true or `size` is set
     bool measure_error = true;
-    /// Single precision: where errors are not measured and no layer is incoherent; else double.
+    /// Single precision: where errors are not measured, no layer is incoherent and there is no
+    /// technique; else double.
     Precision precision = Precision::double_precision;
     /// Called with 0…1 while baking, from one thread at a time; returning false cancels.
     std::function<bool(double)> progress;
@@ -66,7 +76,8 @@ struct FilmTables {
 };
 
 /// @throws InputError when the stack is not valid, or the tolerance cannot be met within
-///         `max_texels` (the message states the error that was reached), or it was cancelled.
+///         `max_texels` and that is not accepted (the message states the error that was reached),
+///         or it was cancelled.
 [[nodiscard]] FilmTables bake_film_tables(const FilmTableRequest& request);
 
 /// Exact colour of reflectance and transmittance at one angle and value of the variation, by the

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -68,13 +69,32 @@ struct LayerSpec {
     bool coherent = true;
 };
 
+/// What the reflectance of a film is computed by: the multilayer, or a closed form of
+/// nacre/optics/film_models.h of that name, for comparison.
+enum class Technique {
+    multilayer,
+    path_difference,
+    airy,
+    series,
+    opaque_base,
+    free_film,
+    etalon,
+    recursion,
+};
+
+/// In the order of the enumeration.
+[[nodiscard]] std::span<const std::string_view> technique_names();
+[[nodiscard]] std::string_view technique_name(Technique technique);
+
 /// `[[layer]]` is one layer, or a group `{ repeat = 7, group = [{…}, {…}] }`.
 /// `[stack] scale = { default, min, max }`: a factor on all coherent layers as the second axis;
-/// excludes a layer that varies.
+/// excludes a layer that varies. `[stack] technique = "…"`: what the reflectance is computed by.
 struct StackSpec {
     MediumSpec ambient, substrate;
     std::vector<LayerSpec> layers;  ///< with groups unrolled; 0 … kMaxLayers
     std::optional<Quantity> scale;
+    Technique technique = Technique::multilayer;
+    int technique_line = 0;
 
     /// Index of the layer that varies.
     [[nodiscard]] std::optional<std::size_t> varying_layer() const;

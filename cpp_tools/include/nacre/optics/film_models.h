@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "nacre/optics/multilayer.h"
@@ -42,6 +43,11 @@ struct Incidence {
 [[nodiscard]] double path_difference_bands(const SingleFilm& film, double cos_light,
                                            double cos_view, double wavelength_nm);
 
+/// Their mean in the mirror direction, cosθ_light = cosθ_view, over the wave numbers of the cell of
+/// wavelengths `cell_nm` wide around this one; 0 means a point. Exact at the indices of its centre.
+[[nodiscard]] double path_difference_mean(const SingleFilm& film, double cos_ambient,
+                                          double wavelength_nm, double cell_nm);
+
 /// |(r01 + r12 e^{iδ})/(1 + r01 r12 e^{iδ})|² (Durikovic and Kimura 2006). Exact.
 /// Domain: clear base, no total reflection.
 [[nodiscard]] double airy_reflectance(const SingleFilm& film, const Incidence& light);
@@ -50,6 +56,10 @@ struct Incidence {
 /// |r01 + t01 t10 r12 e^{iδ} (1 + r10 r12 e^{iδ})|². Domain: clear base, no total reflection.
 /// Energy is not conserved: beyond |r10 r12|² the series is cut, see `series_error_bound`.
 [[nodiscard]] double series_reflectance(const SingleFilm& film, const Incidence& light);
+
+/// What the same series passes on: light that leaves below after none, one and two round trips,
+/// |t01 t12 e^{iδ/2} (1 + ρ + ρ²)|² times the ratio of n cosθ, ρ = r10 r12 e^{iδ}. The same domain.
+[[nodiscard]] double series_transmittance(const SingleFilm& film, const Incidence& light);
 
 /// Bound of |series_reflectance − airy_reflectance|: the remainder of the geometric series,
 /// ε = |t01 t10 r12| ρ²/(1 − ρ) with ρ = |r10 r12|, moves |r|² by at most ε (2|r| + ε).
@@ -87,13 +97,17 @@ struct Incidence {
 [[nodiscard]] PowerRatios recursion_power(const FilmStack& stack, const Incidence& light);
 
 /// Forms that give a reflectance from a film and its light alone.
-enum class FilmModel { airy, series, opaque_base, free_film, etalon, recursion };
+enum class FilmModel { path_difference, airy, series, opaque_base, free_film, etalon, recursion };
 
-/// "airy", "series", "opaque_base", "free_film", "etalon" or "recursion".
-/// @throws InputError for any other name.
+/// "path_difference", "airy", …, in the order of the enumeration.
+[[nodiscard]] std::span<const std::string_view> film_model_names();
+[[nodiscard]] std::string_view film_model_name(FilmModel model);
+
+/// @throws InputError for a name that is not among them.
 [[nodiscard]] FilmModel film_model_from_name(std::string_view name);
 
-/// By the form of that name; an etalon of the film's own faces.
+/// By the form of that name; an etalon of the film's own faces, and path_difference with the light
+/// in the mirror direction.
 [[nodiscard]] double film_reflectance(FilmModel model, const SingleFilm& film,
                                       const Incidence& light);
 
