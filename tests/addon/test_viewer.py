@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 import math
+import os
 import subprocess
 
 import numpy as np
@@ -353,8 +354,6 @@ def nacre_index(nacre, nm: float) -> list[float]:
 
 
 def eval_stack(record: dict) -> dict:
-    import os
-
     tool = os.environ.get("NACRE", ROOT / "build" / "release" / "bin" / "nacre")
     done = subprocess.run(
         [tool, "eval", "stack", "-"],
