@@ -46,6 +46,25 @@ def contents(folder: Path) -> dict[str, str]:
     }
 
 
+def test_technique_is_recorded_and_held_to_its_domain(nacre, film, tmp_path):
+    text = film.read_text()
+    for technique in ("airy", "multilayer"):
+        film.write_text(f'{text}[stack]\ntechnique = "{technique}"\n')
+        nacre.ok("compile", film, "--tolerance", 1, "-o", tmp_path)
+        manifest = json.loads((tmp_path / "test_film" / "test_film.json").read_text())
+        assert manifest["technique"] == technique
+    film.write_text(f'{text}[stack]\ntechnique = "free_film"\n')
+    assert nacre.fails("compile", film, "-o", tmp_path / "none").endswith(
+        f'{film}:13: substrate.n: must equal that of the ambient with technique "free_film" '
+        '(at 360 nm); choose "multilayer", which takes any stack\n'
+    )
+    assert not (tmp_path / "none" / "test_film").exists()
+    film.write_text(f'{text}[stack]\ntechnique = "magic"\n')
+    assert f"{film}:15: stack.technique: must be one of multilayer, path_difference" in (
+        nacre.fails("compile", film, "-o", tmp_path / "none")
+    )
+
+
 def test_all_templates_compile_twice_to_the_same_bytes(nacre, templates, tmp_path):
     sources = sorted(templates.glob("*.toml"))
     for name in ("first", "second"):
