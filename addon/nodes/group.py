@@ -42,10 +42,12 @@ _COLUMN, _ROW = 220.0, 190.0
 
 
 def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNodeTree:
-    """The material's group; one of the same template and shader in the file is used again."""
+    """The material's group; one of the same template and shader in the file is used again, unless
+    it is linked: that one may change with its own file."""
     for group in bpy.data.node_groups:
-        same = group.get(DIGEST) == material.digest and group.get(FORM) == form
-        if same and group.get(SCHEMA) == SCHEMA_VERSION:
+        if group.library is not None or group.get(DIGEST) != material.digest:
+            continue
+        if group.get(FORM) == form and group.get(SCHEMA) == SCHEMA_VERSION:
             return group
     graph = material.graphs[form]
     group = bpy.data.node_groups.new(material.name, "ShaderNodeTree")

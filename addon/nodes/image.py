@@ -14,7 +14,8 @@ DIGEST, TABLE, FALLBACK = "nacre_digest", "nacre_table", "nacre_fallback"
 def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     """The table's image; one that is in the file already is used again."""
     for image in bpy.data.images:
-        if image.get(DIGEST) == _key(material, table) and not is_missing(image):
+        of_this_table = image.library is None and image.get(DIGEST) == _key(material, table)
+        if of_this_table and not is_missing(image):
             return image
     image = (
         _from_texels(material, table) if material.directory is None else _from_file(material, table)

@@ -142,6 +142,8 @@ def _after_undo(*_arguments) -> None:
     for material in bpy.data.materials:
         if not stack.is_edited(material) or stack.group_node(material) is None:
             continue
+        if material.library is not None:
+            continue
         for node in stack.group_node(material).node_tree.nodes:
             if node.type == "TEX_IMAGE" and node.image is not None and node.image.is_dirty:
                 node.image.buffers_free()

@@ -34,7 +34,8 @@ _EXPECTED = (
 def allows_change(operator: type[bpy.types.Operator], material: bpy.types.Material) -> bool:
     """For `poll`: whether a wave material may be changed; if not, the operator says why."""
     if not material.is_editable:
-        operator.poll_message_set("The material is linked from another file")
+        source = material.library.name if material.library else "another file"
+        operator.poll_message_set(f"The material is linked from {source}: make it local first")
         return False
     refusal = schema.refusal(group_node(material).node_tree)
     if refusal:

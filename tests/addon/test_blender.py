@@ -40,6 +40,12 @@ def test_other_versions_and_damage(blender, tmp_path, library):
     blender.script("versions", tmp_path)
 
 
+@pytest.mark.parametrize("script", ["linked", "storm"])
+def test_libraries_and_storms(blender, tmp_path, library, script):
+    blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
+    blender.script(script, tmp_path)
+
+
 @pytest.mark.parametrize(
     ("form", "material"), [("osl", "test_film"), ("nodes", "test_film"), ("osl", "test_grating")]
 )

@@ -1,0 +1,104 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Materials linked from another file: shown, refused, left alone; local ones do not lean on them."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import bpy
+from support import load, module, new_file
+
+extension = load()
+extension.register()
+materials = module("nodes.material")
+groups = module("nodes.group")
+stack = module("nodes.stack")
+live = module("nodes.live")
+fallback = module("nodes.fallback")
+folder = Path(sys.argv[2])
+source = folder / "shot.blend"
+
+
+def refused(call, message: str) -> None:
+    try:
+        call()
+    except RuntimeError as error:
+        said = str(error)
+    else:
+        said = "nothing"
+    assert message in said, said
+
+
+def everything(material) -> tuple:
+    tree = materials.group_node(material).node_tree
+    images = [node.image for node in tree.nodes if node.type == "TEX_IMAGE"]
+    return (
+        {key: str(material[key]) for key in material},
+        {key: str(tree[key]) for key in tree},
+        [(image.name, image.size[:], sum(image.pixels[:64])) for image in images],
+        [socket.is_linked for socket in materials.group_node(material).inputs],
+    )
+
+
+new_file()
+bpy.ops.nacre.assign_material(material="oil_on_water", form="nodes")
+edited = bpy.context.object.active_material
+edited.name = "Shot Oil"
+bpy.ops.nacre.edit_stack()
+edited.nacre.substrate = "Au/Johnson"
+bpy.ops.wm.save_as_mainfile(filepath=str(source))  # compiled by that
+
+cube = new_file()
+with bpy.data.libraries.load(str(source), link=True) as (_, wanted):
+    wanted.materials = ["Shot Oil"]
+linked = wanted.materials[0]
+assert linked.library is not None
+cube.data.materials.append(linked)
+before = everything(linked)
+for call in (
+    bpy.ops.nacre.edit_stack,
+    bpy.ops.nacre.add_layer,
+    bpy.ops.nacre.revert_stack,
+    bpy.ops.nacre.finish_stack,
+    lambda: bpy.ops.nacre.vary_layer(index=0),
+    lambda: bpy.ops.nacre.load_template(filepath="none.toml"),
+    lambda: bpy.ops.nacre.add_thickness(source="drop"),
+    bpy.ops.nacre.remove_thickness,
+    bpy.ops.nacre.rebuild_material,
+):
+    refused(call, "linked from shot.blend: make it local first")
+live.finish_all()
+live._after_undo()
+fallback.put_in_place()
+assert everything(linked) == before
+
+# A local material of the same kind has a group and tables of its own.
+bpy.ops.nacre.assign_material(material="oil_on_water", form="nodes", new_slot=True)
+local = cube.active_material
+tree = materials.group_node(local).node_tree
+assert tree.library is None
+assert all(node.image.library is None for node in tree.nodes if node.type == "TEX_IMAGE")
+bpy.ops.wm.save_as_mainfile(filepath=str(folder / "scene.blend"))
+bpy.ops.wm.open_mainfile(filepath=str(folder / "scene.blend"))
+linked = bpy.data.materials["Shot Oil"]
+assert linked.library is not None
+assert everything(linked) == before
+
+# Made local it can be edited, and its source stays as it is.
+cube = bpy.data.objects["Cube"]
+bpy.context.view_layer.objects.active = cube
+cube.active_material_index = 0
+assert cube.active_material == linked
+local = linked.make_local()
+cube.material_slots[0].material = local
+assert bpy.ops.nacre.edit_stack() == {"FINISHED"}
+local.nacre.substrate = "Ag/Johnson"
+assert live.problem(local) == ""
+assert bpy.ops.nacre.finish_stack() == {"FINISHED"}
+assert materials.group_node(local).node_tree.library is None
+with bpy.data.libraries.load(str(source), link=True) as (_, wanted):
+    wanted.materials = ["Shot Oil"]
+assert '"Au/Johnson"' in wanted.materials[0][stack.TEMPLATE]
+extension.unregister()
