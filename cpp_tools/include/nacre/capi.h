@@ -106,7 +106,8 @@ typedef struct nacre_film_query {
 
 /**
  * Closed forms of one film.
- * @param model   "airy", "series", "opaque_base", "free_film", "etalon" or "recursion"
+ * @param model   "path_difference", "airy", "series", "opaque_base", "free_film", "etalon" or
+ *                "recursion"
  * @param R       count
  */
 NACRE_API nacre_status nacre_film_reflectance(const char* model, size_t count,

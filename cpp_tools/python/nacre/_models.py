@@ -34,9 +34,9 @@ def film_reflectance(
     ----------
     model : "path_difference" (light in the mirror direction), "airy", "series", "opaque_base",
         "free_film", "etalon" or "recursion"
-        Bands without physics; two beams in closed form; cut after two round trips; on a base that may absorb; the same
-        medium on both sides; Airy's function; from the base up, total reflection included. All but
-        the first and "series" are exact in their domain.
+        Bands without physics; two beams in closed form; cut after two round trips; on a base that
+        may absorb; the same medium on both sides; Airy's function; from the base up, total
+        reflection included. All but the first and "series" are exact in their domain.
     n : complex, shape (..., 3)
         Indices of ambient, film and base; the film and the ambient are clear.
     d_nm, angle_deg, wavelength_nm : float, shape (...)

@@ -10,17 +10,18 @@
 /// The algebra of the forms of film_models.h in real numbers, for one film and for lanes of them.
 /// r01 and r12 are the coefficients of the faces; a + ib = r12 e^{iδ} is what comes back from the
 /// lower one after a round trip, bottom = |r12|². Lossless faces have t01 t10 = 1 − r01².
+/// Reflectances, but for `…_passed`, which are transmittances.
 
 namespace nacre::optics::forms {
 
-NACRE_INLINE double airy_R(double r01, double a, double b)
+NACRE_INLINE double airy(double r01, double a, double b)
 {
     const double up = r01 + a, both = 1.0 + r01 * a, turned = r01 * b;
     return (up * up + b * b) / (both * both + turned * turned);
 }
 
 /// Of (a + ib)(1 − r01 (a + ib)) t01 t10 + r01.
-NACRE_INLINE double series_R(double r01, double a, double b)
+NACRE_INLINE double cut_series(double r01, double a, double b)
 {
     const double through = 1.0 - r01 * r01;
     const double re = r01 + through * (a - r01 * (a * a - b * b));
@@ -30,7 +31,7 @@ NACRE_INLINE double series_R(double r01, double a, double b)
 
 /// What leaves below after none, one and two round trips: |t01 t12 (1 + ρ + ρ²)|² times the ratio
 /// of n cosθ, with ρ = −r01 (a + ib).
-NACRE_INLINE double series_T(double r01, double bottom, double a, double b)
+NACRE_INLINE double cut_series_passed(double r01, double bottom, double a, double b)
 {
     const double rho_re = -r01 * a, rho_im = -r01 * b;
     const double re = 1.0 + rho_re + rho_re * rho_re - rho_im * rho_im;
@@ -38,7 +39,7 @@ NACRE_INLINE double series_T(double r01, double bottom, double a, double b)
     return (1.0 - r01 * r01) * (1.0 - bottom) * (re * re + im * im);
 }
 
-NACRE_INLINE double opaque_base_R(double r01, double bottom, double a)
+NACRE_INLINE double opaque_base(double r01, double bottom, double a)
 {
     const double top = r01 * r01, mixed = 2.0 * r01 * a;
     return (top + bottom + mixed) / (1.0 + top * bottom + mixed);
@@ -46,13 +47,13 @@ NACRE_INLINE double opaque_base_R(double r01, double bottom, double a)
 
 /// Of two mirrors of reflectance `mirror` that shift no phase.
 /// @param versine  1 − cosδ = 2 sin²(δ/2)
-NACRE_INLINE double etalon_R(double mirror, double versine)
+NACRE_INLINE double etalon(double mirror, double versine)
 {
     const double loss = 1.0 - mirror, swing = 2.0 * mirror * versine;
     return swing / (loss * loss + swing);
 }
 
-NACRE_INLINE double etalon_T(double mirror, double versine)
+NACRE_INLINE double etalon_passed(double mirror, double versine)
 {
     const double loss = 1.0 - mirror;
     return loss * loss / (loss * loss + 2.0 * mirror * versine);

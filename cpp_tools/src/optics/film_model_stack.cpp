@@ -33,18 +33,18 @@ NACRE_VECTOR_CLONES void add_half(FilmModel model, const Faces& at, const Comple
         bottom[i] = re * re + im * im;
     }
     if (model == FilmModel::airy) {
-        for (std::size_t i = 0; i < kLanes; ++i) R[i] += 0.5 * forms::airy_R(at.r01[i], a[i], b[i]);
+        for (std::size_t i = 0; i < kLanes; ++i) R[i] += 0.5 * forms::airy(at.r01[i], a[i], b[i]);
     } else if (model == FilmModel::series) {
         for (std::size_t i = 0; i < kLanes; ++i) {
-            R[i] += 0.5 * forms::series_R(at.r01[i], a[i], b[i]);
-            T[i] += 0.5 * forms::series_T(at.r01[i], bottom[i], a[i], b[i]);
+            R[i] += 0.5 * forms::cut_series(at.r01[i], a[i], b[i]);
+            T[i] += 0.5 * forms::cut_series_passed(at.r01[i], bottom[i], a[i], b[i]);
         }
     } else if (model == FilmModel::opaque_base) {
         for (std::size_t i = 0; i < kLanes; ++i)
-            R[i] += 0.5 * forms::opaque_base_R(at.r01[i], bottom[i], a[i]);
+            R[i] += 0.5 * forms::opaque_base(at.r01[i], bottom[i], a[i]);
     } else {
         for (std::size_t i = 0; i < kLanes; ++i)
-            R[i] += 0.5 * forms::etalon_R(at.r01[i] * at.r01[i], 1.0 - phase.re[i]);
+            R[i] += 0.5 * forms::etalon(at.r01[i] * at.r01[i], 1.0 - phase.re[i]);
     }
 }
 

@@ -196,21 +196,21 @@ double airy_reflectance(const SingleFilm& film, const Incidence& light)
 {
     const Surfaces at = clear_surfaces(film, light);
     const Complex once = at.r12 * std::polar(1.0, at.phase);
-    return forms::airy_R(at.r01, once.real(), once.imag());
+    return forms::airy(at.r01, once.real(), once.imag());
 }
 
 double series_reflectance(const SingleFilm& film, const Incidence& light)
 {
     const Surfaces at = clear_surfaces(film, light);
     const Complex once = at.r12 * std::polar(1.0, at.phase);
-    return forms::series_R(at.r01, once.real(), once.imag());
+    return forms::cut_series(at.r01, once.real(), once.imag());
 }
 
 double series_transmittance(const SingleFilm& film, const Incidence& light)
 {
     const Surfaces at = clear_surfaces(film, light);
     const Complex once = at.r12 * std::polar(1.0, at.phase);
-    return forms::series_T(at.r01, std::norm(at.r12), once.real(), once.imag());
+    return forms::cut_series_passed(at.r01, std::norm(at.r12), once.real(), once.imag());
 }
 
 double series_error_bound(const SingleFilm& film, const Incidence& light)
@@ -229,7 +229,7 @@ double opaque_base_reflectance(const SingleFilm& film, const Incidence& light)
     domain.throw_if_any();
     const Surfaces at = surfaces(film, light);
     const double once = at.r12.real() * std::cos(at.phase) - at.r12.imag() * std::sin(at.phase);
-    return forms::opaque_base_R(at.r01, std::norm(at.r12), once);
+    return forms::opaque_base(at.r01, std::norm(at.r12), once);
 }
 
 double free_film_reflectance(const SingleFilm& film, const Incidence& light)
@@ -239,7 +239,7 @@ double free_film_reflectance(const SingleFilm& film, const Incidence& light)
                  "must equal n[0]: a free film has the same medium on both sides");
     same.throw_if_any();
     const Surfaces at = clear_surfaces(film, light);
-    return forms::etalon_R(at.r01 * at.r01, versine(at.phase));
+    return forms::etalon(at.r01 * at.r01, versine(at.phase));
 }
 
 double etalon_transmittance(double mirror_reflectance, double phase_rad)
@@ -249,7 +249,7 @@ double etalon_transmittance(double mirror_reflectance, double phase_rad)
                    "must be in [0, 1)");
     domain.require(std::isfinite(phase_rad), "phase_rad", "must be finite");
     domain.throw_if_any();
-    return forms::etalon_T(mirror_reflectance, versine(phase_rad));
+    return forms::etalon_passed(mirror_reflectance, versine(phase_rad));
 }
 
 double etalon_reflectance(const SingleFilm& film, const Incidence& light,
