@@ -35,8 +35,8 @@ def everything(material) -> tuple:
     tree = materials.group_node(material).node_tree
     images = [node.image for node in tree.nodes if node.type == "TEX_IMAGE"]
     return (
-        {key: str(value) for key, value in material.items()},
-        {key: str(value) for key, value in tree.items()},
+        {key: value for key, value in material.items() if key.startswith("nacre_")},
+        {key: value for key, value in tree.items() if key.startswith("nacre_")},
         [(image.name, image.size[:], sum(image.pixels[:64])) for image in images],
         [socket.is_linked for socket in materials.group_node(material).inputs],
     )
