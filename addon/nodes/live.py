@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import threading
 import time
+from collections.abc import Container
 
 import bpy
 from bpy.app.handlers import persistent
@@ -93,8 +94,9 @@ def _tick() -> float | None:
             return _POLL
         _take(_jobs.pop())
     due = time.monotonic() - WAIT
+    materials = _by_uid(_edited_at)
     for uid, edited in list(_edited_at.items()):
-        material = _material(uid)
+        material = materials.get(uid)
         if material is None or not stack.is_stale(material):
             del _edited_at[uid]
         elif edited <= due:
@@ -105,7 +107,7 @@ def _tick() -> float | None:
 
 
 def _take(done: _Compilation) -> None:
-    material = _material(done.uid)
+    material = _by_uid({done.uid}).get(done.uid)
     if material is None or not stack.is_edited(material):
         _edited_at.pop(done.uid, None)
         return
@@ -121,8 +123,9 @@ def _take(done: _Compilation) -> None:
             area.tag_redraw()
 
 
-def _material(uid: int) -> bpy.types.Material | None:
-    return next((m for m in bpy.data.materials if m.session_uid == uid), None)
+def _by_uid(wanted: Container[int]) -> dict[int, bpy.types.Material]:
+    """Those of the file, in one pass however many are wanted."""
+    return {m.session_uid: m for m in bpy.data.materials if m.session_uid in wanted}
 
 
 def _wait() -> None:

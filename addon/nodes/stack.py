@@ -116,13 +116,15 @@ def set_stack(material: bpy.types.Material, stack: Stack) -> None:
 def is_stale(material: bpy.types.Material) -> bool:
     """Whether the nodes were compiled from another recipe, or hold quick tables."""
     node = group_node(material)
-    return (
-        is_edited(material)
-        and node is not None
-        and not damage(material)
-        and not schema.refusal(node.node_tree)
-        and node.node_tree.get(groups.RECIPE) != recipe(material).digest
-    )
+    if not is_edited(material) or node is None:
+        return False
+    try:
+        wanted = recipe(material)
+    except StackError:
+        return False
+    if node.node_tree.get(groups.RECIPE) == wanted.digest:
+        return False  # the usual case, told without reading the template
+    return not damage(material) and not schema.refusal(node.node_tree)
 
 
 def preview(material: bpy.types.Material) -> bool:

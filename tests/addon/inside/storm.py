@@ -73,6 +73,33 @@ assert abs(red_mean(first) - before) > 0.1
 assert red_mean(second) == before
 assert len(bpy.data.node_groups) == 2
 
+# Handlers read no template and compile nothing where nothing changed; of many, only what did.
+live.finish_all()
+for number, material in enumerate(bpy.data.materials):
+    if material != first:
+        own = stack.Recipe(f"# {number}\n{stack.recipe(material).template}")
+        material[stack.TEMPLATE] = own.template
+        if number < 100:
+            tree = materials.group_node(material).node_tree.copy()
+            materials.group_node(material).node_tree = tree
+            tree["nacre_recipe"] = own.digest
+        else:
+            del material[stack.TEMPLATE]
+calls = []
+real_read, real_compile = stack.read_stack, stack.compile_recipe
+stack.read_stack = lambda *a: calls.append("read") or real_read(*a)
+stack.compile_recipe = lambda *a: calls.append("compile") or real_compile(*a)
+stack._damage.cache_clear()
+live._after_undo()
+live.finish_all()
+assert calls == [], calls
+first.nacre.substrate = "Ag/Johnson"
+calls.clear()
+live.finish_all()
+assert calls.count("compile") == 1, calls
+assert calls.count("read") <= 4, calls
+stack.read_stack, stack.compile_recipe = real_read, real_compile
+
 cube = new_file()
 bpy.ops.nacre.assign_material(material="oil_on_water", form="nodes")
 name = cube.active_material.name
