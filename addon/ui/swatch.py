@@ -15,6 +15,7 @@ _collections: list[bpy.utils.previews.ImagePreviewCollection] = []  # one at mos
 _shown: dict[str, tuple] = {}  # what each icon was drawn from
 
 COLUMNS, ROWS = 48, 96
+MOST_ICONS = 64  # more than any window shows; older ones are drawn again when they are wanted
 
 
 def swatch(material: bpy.types.Material) -> int:
@@ -50,7 +51,13 @@ def _varies(template: str) -> bool:
 def _icon(name: str, key: tuple, draw) -> int:
     if not _collections:
         _collections.append(bpy.utils.previews.new())
-    icon = _collections[0].get(name) or _collections[0].new(name)
+    icons = _collections[0]
+    icon = icons.pop(name, None) or icons.new(name)
+    icons[name] = icon  # at the end: the first one is that which was not wanted for longest
+    if len(icons) > MOST_ICONS:
+        oldest = next(iter(icons))
+        del icons[oldest]
+        _shown.pop(oldest, None)
     if _shown.get(name) != key:
         try:
             picture = draw(*key)

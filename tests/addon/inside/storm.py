@@ -75,16 +75,13 @@ assert len(bpy.data.node_groups) == 2
 
 # Handlers read no template and compile nothing where nothing changed; of many, only what did.
 live.finish_all()
-for number, material in enumerate(bpy.data.materials):
-    if material != first:
-        own = stack.Recipe(f"# {number}\n{stack.recipe(material).template}")
-        material[stack.TEMPLATE] = own.template
-        if number < 100:
-            tree = materials.group_node(material).node_tree.copy()
-            materials.group_node(material).node_tree = tree
-            tree["nacre_recipe"] = own.digest
-        else:
-            del material[stack.TEMPLATE]
+others = [material for material in bpy.data.materials if material != first]
+for number, material in enumerate(others[:100]):
+    own = stack.Recipe(f"# {number}\n{stack.recipe(material).template}")
+    node = materials.group_node(material)
+    node.node_tree = node.node_tree.copy()
+    node.node_tree["nacre_recipe"] = own.digest
+    material[stack.TEMPLATE] = own.template
 calls = []
 real_read, real_compile = stack.read_stack, stack.compile_recipe
 stack.read_stack = lambda *a: calls.append("read") or real_read(*a)
@@ -99,6 +96,23 @@ live.finish_all()
 assert calls.count("compile") == 1, calls
 assert calls.count("read") <= 4, calls
 stack.read_stack, stack.compile_recipe = real_read, real_compile
+
+# Icons of materials seen before make room; the one in use stays.
+swatch = module("ui.swatch")
+drawn = []
+
+
+def blank(*key):
+    drawn.append(key)
+    return np.zeros((4, 4, 4), np.float32)
+
+
+for number in range(3 * swatch.MOST_ICONS):
+    swatch._icon("in use", ("in use",), blank)
+    swatch._icon(f"{number}", (number,), blank)
+assert len(swatch._collections[0]) == len(swatch._shown) == swatch.MOST_ICONS
+assert drawn.count(("in use",)) == 1
+assert len(drawn) == 3 * swatch.MOST_ICONS + 1
 
 cube = new_file()
 bpy.ops.nacre.assign_material(material="oil_on_water", form="nodes")
