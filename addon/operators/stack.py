@@ -64,7 +64,8 @@ class NACRE_OT_edit_stack(_FilmOperator):
         properties.fill(material)
         live.warm_up(material)
         tree = group_node(material).node_tree
-        if tree.get(stack.groups.TEMPLATE_TEXT) == material[stack.TEMPLATE]:
+        is_same = tree.get(stack.groups.TEMPLATE_TEXT) == material[stack.TEMPLATE]
+        if is_same and tree.library is None:
             tree[stack.groups.RECIPE] = stack.recipe(material).digest
         return {"FINISHED"}
 
