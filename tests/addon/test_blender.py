@@ -44,7 +44,7 @@ def test_other_versions_and_damage(blender, tmp_path, library):
     blender.script("versions", tmp_path)
 
 
-@pytest.mark.parametrize("script", ["linked", "storm", "paths", "copies"])
+@pytest.mark.parametrize("script", ["linked", "storm", "panels", "paths", "copies"])
 def test_bad_input_and_upkeep(blender, tmp_path, library, script):
     blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
     blender.script(script, tmp_path)
