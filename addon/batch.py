@@ -18,6 +18,7 @@ import bpy
 
 from .core.library import Library
 from .core.manifest import ManifestError
+from .core.whole_file import write_whole
 from .options import UsageError, parse, parser
 from .output import SUFFIXES, frame_path
 
@@ -185,6 +186,4 @@ def _read_state(folder: Path) -> dict[str, str]:
 
 
 def _write_state(folder: Path, state: dict[str, str]) -> None:
-    aside = folder / f"{STATE}.partial"
-    aside.write_text(json.dumps(state, indent=1, sort_keys=True), "utf-8")
-    aside.replace(folder / STATE)
+    write_whole(folder / STATE, json.dumps(state, indent=1, sort_keys=True))

@@ -14,6 +14,7 @@ from .batch import Row, make_row
 from .core.library import Entry, Library
 from .core.manifest import CompiledMaterial
 from .core.stack import read_stack
+from .core.whole_file import write_whole
 
 _STAGES = {"film": "shaderball", "grating": "disc", "glass": "gem"}
 _STAGES_BY_TAG = {"bubble": "bubble"}
@@ -82,9 +83,7 @@ def write_page(folder: Path, shown: Sequence[Row]) -> Path:
         sections.append("</div>")
     page = folder / "index.html"
     count = sum("<article" in text for text in sections)
-    aside = page.with_suffix(".partial")
-    aside.write_text(_PAGE.format(count=count, sections="\n".join(sections)), "utf-8")
-    aside.replace(page)
+    write_whole(page, _PAGE.format(count=count, sections="\n".join(sections)))
     return page
 
 

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import bpy
 
-from .core.whole_file import is_whole
+from .core.whole_file import aside, is_whole
 
 SUFFIXES = {".exr": "OPEN_EXR", ".png": "PNG"}
 _LAYERS = "OPEN_EXR_MULTILAYER"
@@ -28,6 +28,8 @@ def check(paths: list[Path]) -> None:
     for path in paths:
         if path.suffix.lower() not in SUFFIXES:
             problems.append(f"-o: {path}: must end in .exr or .png")
+        elif _unreachable(path):
+            problems.append(f"-o: {path}: {_unreachable(path)}")
         elif path.is_dir():
             problems.append(f"-o: {path}: is a folder")
         elif not path.parent.is_dir():
@@ -36,6 +38,17 @@ def check(paths: list[Path]) -> None:
             problems.append(f"-o: {path}: the folder {path.parent} is not writable")
     if problems:
         raise OutputError("\n".join(problems))
+
+
+def _unreachable(path: Path) -> str:
+    """What the system says against the name itself, such as that it is too long."""
+    try:
+        path.lstat()
+    except (FileNotFoundError, NotADirectoryError):
+        return ""
+    except (OSError, ValueError) as error:
+        return getattr(error, "strerror", None) or str(error)
+    return ""
 
 
 def frame_path(path: Path, frame: int) -> Path:
@@ -60,7 +73,7 @@ class Writer:
         self._aside: Path | None = None
 
     def save(self, path: Path) -> None:
-        self._aside = path.with_name(f".{path.stem}.{os.getpid()}.partial{path.suffix}")
+        self._aside = aside(path)
         try:
             with _image_settings(self._scene, self._formats[path.suffix.lower()]):
                 bpy.data.images["Render Result"].save_render(str(self._aside), scene=self._scene)

@@ -16,6 +16,7 @@ from bpy.props import (
 )
 
 from .core.fields import FIELDS, SHADED
+from .core.light import ILLUMINANTS, OBSERVERS
 from .core.stack import TECHNIQUES as TECHNIQUE_TEXTS
 from .core.stack import Layer, Stack, StackError
 from .nodes import live, views
@@ -26,20 +27,6 @@ FORMS = (
     ("auto", "Automatic", "Open Shading Language where the renderer runs it, else nodes", 0),
     ("osl", "Open Shading Language", "Exact colours; Cycles on the CPU or with OptiX", 1),
     ("nodes", "Nodes", "Works in EEVEE and on every GPU; colours outside the gamut are clipped", 2),
-)
-ILLUMINANTS = (
-    ("D65", "D65", "Daylight", 0),
-    ("D50", "D50", "Warm daylight, as in print", 1),
-    ("D55", "D55", "Daylight, as in photography", 2),
-    ("D75", "D75", "Shade", 3),
-    ("A", "A", "Incandescent lamp", 4),
-    ("E", "E", "Equal energy at all wavelengths", 5),
-    ("F2", "F2", "Fluorescent lamp, cool white", 6),
-    ("F11", "F11", "Fluorescent lamp of three narrow bands", 7),
-)
-OBSERVERS = (
-    ("cie1931", "CIE 1931", "2 degrees, the usual one", 0),
-    ("cie1964", "CIE 1964", "10 degrees, for large fields", 1),
 )
 VIEWS = (
     (SHADED, "Shaded", "Materials as they are", 0),

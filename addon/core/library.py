@@ -26,14 +26,22 @@ class Entry:
 
 
 class Library:
+    _default: Library | None = None
+
     def __init__(self, root: Path):
         self.root = root
         self._entries: dict[str, Entry] | None = None
+        self._stamp = self._times()
 
     @classmethod
     def default(cls) -> Library:
+        """The same one, manifests read once, until a manifest changes: panels ask at each redraw."""
         bundled = Path(__file__).resolve().parent.parent / "materials"
-        return cls(Path(os.environ.get(ENVIRONMENT) or bundled))
+        root = Path(os.environ.get(ENVIRONMENT) or bundled)
+        kept = Library._default
+        if kept is None or kept.root != root or kept._times() != kept._stamp:
+            kept = Library._default = cls(root)
+        return kept
 
     def entries(self) -> dict[str, Entry]:
         """By id, in the order of categories and names; folders that cannot be read are left out."""
@@ -44,18 +52,32 @@ class Library:
         return self._entries
 
     def load(self, material_id: str) -> CompiledMaterial:
-        if material_id not in self.entries():
+        if not isinstance(material_id, str) or material_id not in self.entries():
             known = ", ".join(sorted(self.entries())) or f"none, as {self.root} holds no materials"
             raise ManifestError(f"unknown material {material_id!r}; there are: {known}")
         return load_folder(self.root / material_id)
+
+    def _times(self) -> dict[str, int]:
+        """When each manifest was last written."""
+        times = {}
+        for folder in self._folders():
+            try:
+                times[folder.name] = _manifest(folder).stat().st_mtime_ns
+            except OSError:
+                continue
+        return times
 
     def _folders(self) -> list[Path]:
         return sorted(path for path in self.root.glob("*") if path.is_dir())
 
 
+def _manifest(folder: Path) -> Path:
+    return folder / f"{folder.name}.json"
+
+
 def _entry(folder: Path) -> Entry | None:
     try:
-        data = read_manifest(folder / f"{folder.name}.json")
+        data = read_manifest(_manifest(folder))
     except ManifestError:
         return None
     if data["id"] != folder.name:

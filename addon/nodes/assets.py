@@ -15,6 +15,7 @@ from ..core.catalogues import FILE, catalogue_id, catalogue_text, thumbnail
 from ..core.form import AUTO, NODES, FormError, choose_form
 from ..core.library import Library
 from ..core.manifest import CompiledMaterial, ManifestError
+from ..core.whole_file import write_whole
 from . import group as groups
 from . import scene as scene_setup
 from .material import create_material
@@ -25,12 +26,12 @@ _KINDS = ("materials", "node_groups", "images", "texts")
 
 
 def default_folder() -> Path:
-    """The extension's own folder for what it makes; kept over updates."""
+    """The extension's own folder for what it makes; kept over updates. It may not be there yet."""
     try:
         package = __package__.rpartition(".")[0]
-        return Path(bpy.utils.extension_path_user(package, path="assets", create=True))
+        return Path(bpy.utils.extension_path_user(package, path="assets"))
     except ValueError:  # not installed as an extension
-        return Path(bpy.utils.user_resource("DATAFILES", path="nacre_assets", create=True))
+        return Path(bpy.utils.user_resource("DATAFILES", path="nacre_assets"))
 
 
 def build(folder: Path) -> tuple[int, list[str]]:
@@ -56,7 +57,7 @@ def build(folder: Path) -> tuple[int, list[str]]:
         aside = folder / f"{BLEND}.partial.blend"
         bpy.data.libraries.write(str(aside), set(made), fake_user=True, compress=True)
         aside.replace(folder / BLEND)
-    (folder / FILE).write_text(catalogue_text(categories), "utf-8")
+    write_whole(folder / FILE, catalogue_text(categories))
     return len(made), left_out
 
 
@@ -83,8 +84,10 @@ def is_shown(folder: Path) -> bool:
 
 
 def delete(folder: Path) -> None:
+    """Raises OSError where the folder cannot be changed; it is then still listed."""
+    if folder.exists():
+        shutil.rmtree(folder)
     hide(folder)
-    shutil.rmtree(folder, ignore_errors=True)
 
 
 def _listed(folder: Path) -> bpy.types.UserAssetLibrary | None:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a material shows whose table is gone: flat grey, half of the light, and never magenta.
 
-Runs when a file was opened. The panel names the tables, and Rebuild Material brings them back.
+Runs when a file was opened or appended from. The panel names the tables, and Rebuild Material brings them back.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ def put_in_place() -> list[str]:
 
 def _flat(value: float) -> bpy.types.Image:
     name = f"nacre_missing_{value:g}"
-    image = bpy.data.images.get(name)
+    image = bpy.data.images.get((name, None))  # of this file, not of a linked one
     if image is not None and image.get(FALLBACK):
         return image
     image = bpy.data.images.new(name, 2, 2, float_buffer=True, is_data=True)
@@ -54,8 +54,10 @@ def _after_load(*_arguments) -> None:
 
 
 def register() -> None:
-    bpy.app.handlers.load_post.append(_after_load)
+    for name in schema.HANDLERS:
+        getattr(bpy.app.handlers, name).append(_after_load)
 
 
 def unregister() -> None:
-    bpy.app.handlers.load_post.remove(_after_load)
+    for name in schema.HANDLERS:
+        getattr(bpy.app.handlers, name).remove(_after_load)

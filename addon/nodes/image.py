@@ -4,11 +4,13 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import bpy
 
 from ..core.manifest import CompiledMaterial, ManifestError, Table
 
-DIGEST, TABLE, FALLBACK = "nacre_digest", "nacre_table", "nacre_fallback"
+DIGEST, TABLE, FALLBACK, SIZE = "nacre_digest", "nacre_table", "nacre_fallback", "nacre_size"
 
 
 def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
@@ -31,14 +33,32 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
         )
     image[DIGEST] = _key(material, table)
     image[TABLE] = table.name
+    image[SIZE] = (table.width, table.height)
     return image
 
 
 def is_missing(image: bpy.types.Image | None) -> bool:
-    """Neither packed into the file nor readable from where it lies, or a stand-in for such a one."""
+    """Neither packed into the file nor readable from where it lies, of another size than the table,
+    or a stand-in for such a one."""
     if image is None or image.get(FALLBACK):
         return True
-    return image.packed_file is None and not image.has_data
+    if not image.has_data:
+        if image.packed_file is not None:
+            return (
+                image.packed_file.size == 0
+            )  # not read now: opening a file would read every table
+        if not _lies_there(image):
+            return True
+    size = tuple(image.size)  # reads the file
+    return 0 in size or size != tuple(image.get(SIZE, size))
+
+
+def _lies_there(image: bpy.types.Image) -> bool:
+    path = bpy.path.abspath(image.filepath_raw, library=image.library)
+    try:
+        return bool(path) and Path(path).is_file()
+    except (OSError, ValueError):  # too long a path, or one with a null character
+        return False
 
 
 def _key(material: CompiledMaterial, table: Table) -> str:

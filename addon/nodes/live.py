@@ -15,6 +15,7 @@ from bpy.app.handlers import persistent
 from ..core.manifest import ManifestError
 from ..core.stack import StackError
 from . import stack
+from .material import belongs_here
 
 WAIT = 0.4  # seconds without an edit
 _POLL = 0.1
@@ -48,10 +49,21 @@ def changed(material: bpy.types.Material) -> None:
     except (StackError, ManifestError, ValueError) as error:  # NacreError is a ValueError
         _problems[material.session_uid] = str(error)
         return
-    if stack.is_stale(material) and not bpy.app.background:
-        _edited_at[material.session_uid] = time.monotonic()
-        if not bpy.app.timers.is_registered(_tick):
-            bpy.app.timers.register(_tick, first_interval=_POLL)
+    if stack.is_stale(material):
+        _compile_soon(material)
+
+
+def _compile_soon(material: bpy.types.Material) -> None:
+    if not _has_timers():
+        return
+    _edited_at[material.session_uid] = time.monotonic()
+    if not bpy.app.timers.is_registered(_tick):
+        bpy.app.timers.register(_tick, first_interval=_POLL)
+
+
+def _has_timers() -> bool:
+    """In background nobody runs them; saving compiles there."""
+    return not bpy.app.background
 
 
 def warm_up(material: bpy.types.Material) -> None:
@@ -79,7 +91,7 @@ def finish_all() -> None:
     """Compiles every stale material, at once; what has problems stays as it was last right."""
     _wait()
     for material in bpy.data.materials:
-        if not stack.is_edited(material) or material.library is not None:
+        if not stack.is_edited(material) or not belongs_here(material):
             continue
         _edited_at.pop(material.session_uid, None)
         try:
@@ -108,7 +120,7 @@ def _tick() -> float | None:
 
 def _take(done: _Compilation) -> None:
     material = _by_uid({done.uid}).get(done.uid)
-    if material is None or not stack.is_edited(material):
+    if material is None or not stack.is_edited(material) or stack.damage(material):
         _edited_at.pop(done.uid, None)
         return
     if stack.recipe(material) != done.recipe:
@@ -145,7 +157,7 @@ def _after_undo(*_arguments) -> None:
     for material in bpy.data.materials:
         if not stack.is_edited(material) or stack.group_node(material) is None:
             continue
-        if material.library is not None:
+        if not belongs_here(material):
             continue
         for node in stack.group_node(material).node_tree.nodes:
             if node.type == "TEX_IMAGE" and node.image is not None and node.image.is_dirty:
@@ -156,6 +168,18 @@ def _after_undo(*_arguments) -> None:
 
 @persistent
 def _after_load(*_arguments) -> None:
+    _forget()
+    _resume()
+
+
+def _resume() -> None:
+    """Edits that were not compiled when the extension was turned off, or saved without it."""
+    for material in bpy.data.materials:
+        if belongs_here(material) and stack.is_stale(material):
+            _compile_soon(material)
+
+
+def _forget() -> None:
     _edited_at.clear()
     _problems.clear()
 
@@ -171,12 +195,15 @@ _HANDLERS = (
 def register() -> None:
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).append(handler)
+    if _has_timers():  # while extensions are turned on at the start there is no file yet
+        bpy.app.timers.register(_resume, first_interval=0.0)
 
 
 def unregister() -> None:
     _wait()
-    if bpy.app.timers.is_registered(_tick):
-        bpy.app.timers.unregister(_tick)
+    for timer in (_tick, _resume):
+        if bpy.app.timers.is_registered(timer):
+            bpy.app.timers.unregister(timer)
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(handler)
-    _after_load()
+    _forget()

@@ -53,7 +53,8 @@ def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, f
         for name, identifier in old.items()
         if node.inputs[_index(node, identifier)].is_linked
     }
-    if old_group.get(groups.FORM) == form and old_group.get(groups.DIGEST) == compiled.digest:
+    is_same = old_group.get(groups.FORM) == form and old_group.get(groups.DIGEST) == compiled.digest
+    if is_same and old_group.library is None:
         old_group[groups.DIGEST] = ""  # a damaged group is not to be found again
     node.node_tree = groups.material_group(compiled, form)
     names = groups.socket_identifiers(node.node_tree)
@@ -78,6 +79,12 @@ def group_node(material: bpy.types.Material | None) -> bpy.types.ShaderNodeGroup
         if node.type == "GROUP" and node.node_tree and groups.MATERIAL in node.node_tree:
             return node
     return None
+
+
+def belongs_here(material: bpy.types.Material) -> bool:
+    """Whether this file keeps what is changed: neither linked nor a library override, whose stack and
+    values Blender takes from the library again when the file is opened."""
+    return material.is_editable and material.override_library is None
 
 
 def input_socket(material: bpy.types.Material, name: str) -> bpy.types.NodeSocket | None:

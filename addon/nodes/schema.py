@@ -92,16 +92,16 @@ def _after_load(*_arguments) -> None:
 
 
 # Appending and linking are told from Blender 4.3 on; before, the next opening of the file does it.
-_HANDLERS = tuple(
+HANDLERS = tuple(
     name for name in ("load_post", "blend_import_post") if hasattr(bpy.app.handlers, name)
 )
 
 
 def register() -> None:
-    for name in _HANDLERS:
+    for name in HANDLERS:
         getattr(bpy.app.handlers, name).append(_after_load)
 
 
 def unregister() -> None:
-    for name in _HANDLERS:
+    for name in HANDLERS:
         getattr(bpy.app.handlers, name).remove(_after_load)

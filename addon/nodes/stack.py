@@ -16,6 +16,7 @@ from functools import lru_cache, partial
 import bpy
 
 from ..core.library import Library
+from ..core.light import light_problem
 from ..core.manifest import CompiledMaterial, ManifestError, from_memory
 from ..core.stack import Stack, StackError, read_stack, write_template
 from . import group as groups
@@ -63,17 +64,16 @@ def is_edited(material: bpy.types.Material | None) -> bool:
 def recipe(material: bpy.types.Material) -> Recipe:
     """Of the material as it is asked for: its own, or that of the library's material."""
     if is_edited(material):
-        stored = (
-            material[TEMPLATE],
-            material.get(ILLUMINANT, "D65"),
-            material.get(OBSERVER, "cie1931"),
-        )
-        if not all(isinstance(text, str) for text in stored):
-            raise StackError(f"{material.name}: the stored stack is damaged; revert it")
-        return Recipe(*stored)
+        template = material[TEMPLATE]
+        light = material.get(ILLUMINANT, "D65"), material.get(OBSERVER, "cie1931")
+        problem = light_problem(*light)
+        if problem or not isinstance(template, str):
+            detail = f" ({problem})" if problem else ""
+            raise StackError(f"{material.name}: the stored stack is damaged{detail}; revert it")
+        return Recipe(template, *light)
     tree = group_node(material).node_tree
     text = tree.get(groups.TEMPLATE_TEXT, "")
-    if not text:
+    if not text or not isinstance(text, str):
         text = Library.default().load(tree[groups.MATERIAL]).template
     if not text:
         raise StackError(f"{material.name} was made by an older version: assign it again")
@@ -230,7 +230,7 @@ def _own_group(material: bpy.types.Material) -> bpy.types.ShaderNodeTree:
     """The material's group, with images, for it alone and not to be found for others."""
     node = group_node(material)
     tree = node.node_tree
-    if tree.get(groups.DIGEST) or tree.users > 1:
+    if not _is_alone(tree):
         tree = tree.copy()
         node.node_tree = tree
         tree[groups.DIGEST] = ""
@@ -243,6 +243,17 @@ def _own_group(material: bpy.types.Material) -> bpy.types.ShaderNodeTree:
                 inner.image = copies[inner.image]
     tree[groups.RECIPE] = ""
     return tree
+
+
+def _is_alone(tree: bpy.types.ShaderNodeTree) -> bool:
+    """Whether nothing else uses the group or its images, nor would find them by their digests."""
+    if tree.get(groups.DIGEST) or tree.users > 1 or tree.library is not None:
+        return False
+    used = [node.image for node in tree.nodes if node.type == "TEX_IMAGE" and node.image]
+    return all(
+        not image.get(groups.DIGEST) and image.library is None and image.users <= used.count(image)
+        for image in used
+    )
 
 
 def _remove(tree: bpy.types.ShaderNodeTree) -> None:

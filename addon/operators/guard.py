@@ -15,7 +15,7 @@ from ..core.oso import OsoError
 from ..core.probe import ProbeError
 from ..core.stack import StackError
 from ..nodes import schema
-from ..nodes.material import group_node
+from ..nodes.material import belongs_here, group_node
 from ..output import OutputError
 
 _EXPECTED = (
@@ -36,6 +36,12 @@ def allows_change(operator: type[bpy.types.Operator], material: bpy.types.Materi
     if not material.is_editable:
         source = material.library.name if material.library else "another file"
         operator.poll_message_set(f"The material is linked from {source}: make it local first")
+        return False
+    if not belongs_here(material):
+        source = material.override_library.reference.library.name
+        operator.poll_message_set(
+            f"The material is a library override from {source}: make it local first"
+        )
         return False
     refusal = schema.refusal(group_node(material).node_tree)
     if refusal:

@@ -12,6 +12,7 @@ from bpy.props import EnumProperty, IntProperty, StringProperty
 from .. import properties
 from ..core.manifest import ManifestError
 from ..core.stack import MOST_LAYERS, Layer, read_stack
+from ..core.whole_file import write_whole
 from ..nodes import live, stack
 from ..nodes.material import group_node, kind
 from .guard import allows_change, reports_errors
@@ -64,7 +65,8 @@ class NACRE_OT_edit_stack(_FilmOperator):
         properties.fill(material)
         live.warm_up(material)
         tree = group_node(material).node_tree
-        if tree.get(stack.groups.TEMPLATE_TEXT) == material[stack.TEMPLATE]:
+        is_same = tree.get(stack.groups.TEMPLATE_TEXT) == material[stack.TEMPLATE]
+        if is_same and tree.library is None:
             tree[stack.groups.RECIPE] = stack.recipe(material).digest
         return {"FINISHED"}
 
@@ -193,8 +195,11 @@ class NACRE_OT_save_template(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        path = Path(bpy.path.abspath(self.filepath)).with_suffix(".toml")
-        path.write_text(_material(context)[stack.TEMPLATE], "utf-8")
+        path = Path(bpy.path.ensure_ext(bpy.path.abspath(self.filepath), ".toml"))
+        if path.name == ".toml":
+            self.report({"ERROR"}, "The template needs the name of a file")
+            return {"CANCELLED"}
+        write_whole(path, _material(context)[stack.TEMPLATE])
         self.report({"INFO"}, f"{path} written")
         return {"FINISHED"}
 

@@ -9,6 +9,7 @@ from bpy.props import EnumProperty, StringProperty
 
 from ..core.thickness import SOURCES
 from ..nodes import thickness
+from ..output import OutputError
 from .guard import allows_change, reports_errors
 
 PAINTED = "Film Thickness"
@@ -58,9 +59,7 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
         material = _material(context)
         image = None
         if self.source == "map" and self.filepath:
-            image = bpy.data.images.load(
-                bpy.path.abspath(self.filepath), check_existing=True
-            )  # before anything is changed
+            image = _picture(bpy.path.abspath(self.filepath))  # before anything is changed
         thickness.add_source(material, self.source)
         if image is not None:
             thickness.link_image(material, image)
@@ -68,6 +67,16 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
             name = self.attribute or _paintable(context.object)
             thickness.link_attribute(material, name, ramp=self.source == "attribute")
         return {"FINISHED"}
+
+
+def _picture(path: str) -> bpy.types.Image:
+    before = set(bpy.data.images)
+    image = bpy.data.images.load(path, check_existing=True)
+    if 0 in image.size:
+        if image not in before:
+            bpy.data.images.remove(image)
+        raise OutputError(f"{path}: is not a picture")
+    return image
 
 
 def _paintable(obj: bpy.types.Object) -> str:

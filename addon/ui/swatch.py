@@ -59,13 +59,13 @@ def _icon(name: str, key: tuple, draw) -> int:
         del icons[oldest]
         _shown.pop(oldest, None)
     if _shown.get(name) != key:
+        _shown[name] = key  # what cannot be drawn is not tried again at each redraw
         try:
             picture = draw(*key)
         except ValueError:  # of an unfinished edit; the panel says what is wrong
             return icon.icon_id
         icon.image_size = picture.shape[1], picture.shape[0]
         icon.image_pixels_float.foreach_set(picture.ravel())
-        _shown[name] = key
     return icon.icon_id
 
 

@@ -29,6 +29,10 @@ def test_missing_tables_are_flat_not_magenta(blender, tmp_path, form):
     blender.script("missing", tmp_path, form)
 
 
+def test_all_ways_in_which_a_table_is_missing(blender, tmp_path):
+    blender.script("images", tmp_path)
+
+
 @pytest.mark.parametrize("form", ["osl", "nodes"])
 def test_stack_is_edited(blender, tmp_path, form, library):
     blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
@@ -40,8 +44,8 @@ def test_other_versions_and_damage(blender, tmp_path, library):
     blender.script("versions", tmp_path)
 
 
-@pytest.mark.parametrize("script", ["linked", "storm"])
-def test_libraries_and_storms(blender, tmp_path, library, script):
+@pytest.mark.parametrize("script", ["linked", "storm", "panels", "paths", "copies"])
+def test_bad_input_and_upkeep(blender, tmp_path, library, script):
     blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
     blender.script(script, tmp_path)
 

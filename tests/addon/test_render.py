@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import os
 import signal
 import subprocess
 import time
@@ -267,12 +268,25 @@ def test_thickness_varies(blender, tmp_path):
     assert done.returncode == 0, done.stderr
 
 
-@pytest.mark.parametrize("name", ["out.jpg", "nowhere/out.exr", "out"])
+@pytest.mark.parametrize("name", ["out.jpg", "nowhere/out.exr", "out", f"{'n' * 300}.exr"])
 def test_wrong_output_is_told_before_the_work(blender45, tmp_path, name):
     done = blender45.render("--material", "test_film", "-o", tmp_path / name)
     assert done.returncode == 1
     assert "-o: " in done.stderr
     assert [p.name for p in tmp_path.iterdir()] == ["user"]
+
+
+def test_names_as_long_as_the_system_allows(blender, tmp_path):
+    folder = tmp_path / "Öl 50%.d" / "薄膜"
+    folder.mkdir(parents=True)
+    most = os.pathconf(folder, "PC_NAME_MAX")
+    stem = "薄膜 1.5 %d "
+    output = folder / f"{stem}{'n' * (most - len(stem.encode()) - 4)}.exr"
+    done = blender.render(
+        "--material", "test_film", "--stage", "furnace", "--size", "8x8", "--samples", "1", "-o", output
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert [path.name for path in folder.iterdir()] == [output.name]
 
 
 def test_file_that_cannot_be_finished_is_not_left(blender45, tmp_path):

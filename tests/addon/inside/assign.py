@@ -57,7 +57,7 @@ assert {s.identifier for s in script.inputs if s.is_linked} == {s.identifier for
 item = next(i for i in tree.interface.items_tree if i.name == "Thickness (nm)")
 assert (item.default_value, item.min_value, item.max_value) == (400.0, 0.0, 1200.0)
 for owner in (first, second, tree):
-    assert owner[groups.SCHEMA] == 1
+    assert owner[groups.SCHEMA] == groups.SCHEMA_VERSION == 2
     assert owner[groups.MATERIAL] == "test_film"
 
 # Assigning again shares the group and the tables.

@@ -1,0 +1,216 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Every panel draws whatever a file holds, says what is wrong, and does its work once."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import bpy
+from support import load, module, new_file
+
+extension = load()
+extension.register()
+materials = module("nodes.material")
+groups = module("nodes.group")
+stack = module("nodes.stack")
+live = module("nodes.live")
+swatch = module("ui.swatch")
+library = module("core.library")
+folder = Path(sys.argv[2])
+
+PANELS = [
+    cls
+    for name in ("ui.panels", "ui.stack_panel", "ui.viewer_panel")
+    for cls in module(name).CLASSES
+    if issubclass(cls, bpy.types.Panel)
+]
+assert len(PANELS) == 8, PANELS
+
+
+class Layout:
+    """Stands for a UILayout; keeps the words, and checks that what is shown is there."""
+
+    def __init__(self, said: list[str]):
+        self.said = said
+
+    def _part(self, *_arguments, **_options):
+        return Layout(self.said)
+
+    row = column = box = split = _part
+
+    def label(self, text="", **_options):
+        self.said.append(text)
+
+    def operator(self, name, **_options):
+        area, _, what = name.partition(".")
+        getattr(getattr(bpy.ops, area), what).get_rna_type()
+        self.said.append(name)
+        return SimpleNamespace()
+
+    def prop(self, owner, name, **_options):
+        getattr(owner, name)
+
+    def template_list(self, kind, _id, owner, items, *_arguments, **_options):
+        assert hasattr(bpy.types, kind)
+        drawn = getattr(bpy.types, kind)
+        for index, item in enumerate(getattr(owner, items)):
+            drawn.draw_item(None, bpy.context, self, owner, item, 0, owner, "active", index)
+
+    def _nothing(self, *_arguments, **_options):
+        pass
+
+    menu = separator = template_icon = template_color_ramp = _nothing
+
+
+def drawn() -> list[str]:
+    """The words of all panels that want to be shown."""
+    said: list[str] = []
+    space = SimpleNamespace(tree_type="ShaderNodeTree", shader_type="OBJECT")
+    context = SimpleNamespace(object=bpy.context.object, scene=bpy.context.scene, space_data=space)
+    for panel in PANELS:
+        if panel.poll(context):
+            panel.draw(SimpleNamespace(layout=Layout(said)), context)
+    return said
+
+
+def refused(call, message: str) -> None:
+    try:
+        call()
+    except RuntimeError as error:
+        said = str(error)
+    else:
+        said = "nothing"
+    assert message in said, said
+
+
+def assigned(*, edit: bool = False) -> bpy.types.Material:
+    cube = new_file()
+    bpy.ops.nacre.assign_material(material="oil_on_water", form="nodes")
+    if edit:
+        bpy.ops.nacre.edit_stack()
+    return cube.active_material
+
+
+def tree_of(material) -> bpy.types.NodeTree:
+    return materials.group_node(material).node_tree
+
+
+new_file()
+assert "nacre.assign_material" in drawn()
+assert "nacre.edit_stack" not in drawn()
+assigned()
+assert "nacre.edit_stack" in drawn()
+
+# What is computed and read for a panel is computed and read once.
+material = assigned(edit=True)
+bpy.ops.nacre.add_thickness(source="swirl")
+import nacre  # noqa: E402
+
+counted = {
+    nacre: ("preview_tables", "template_spectrum"),
+    stack: ("read_stack",),
+    library: ("read_manifest",),
+}
+calls: list[str] = []
+
+
+def counting(owner, name):
+    real = getattr(owner, name)
+
+    def call(*arguments, **options):
+        calls.append(name)
+        return real(*arguments, **options)
+
+    setattr(owner, name, call)
+    return real
+
+
+originals = {(o, name): counting(o, name) for o, names in counted.items() for name in names}
+assert "nacre.revert_stack" in drawn()
+assert calls.count("preview_tables") == calls.count("template_spectrum") == 1, calls
+for _ in range(5):
+    calls.clear()
+    drawn()
+    assert calls == [], calls
+# A stack that cannot be computed is tried once for each picture.
+material.nacre.substrate = "unobtainium/X"
+calls.clear()
+said = drawn()
+assert any("unobtainium/X" in text for text in said), said
+assert calls.count("preview_tables") == calls.count("template_spectrum") == 1, calls
+calls.clear()
+drawn()
+assert calls == [], calls
+preferences = module("ui.preferences").NACRE_preferences
+preferences.draw(SimpleNamespace(layout=Layout([])), bpy.context)
+module("operators.assign").material_items(None, bpy.context)
+assert calls == [], calls
+for (owner, name), real in originals.items():
+    setattr(owner, name, real)
+
+# Damaged properties: words where it matters, never an exception.
+for name in (
+    groups.MATERIAL, groups.KIND, groups.FORM, groups.SCHEMA, groups.DIGEST, groups.SOCKETS,
+    groups.TEMPLATE, groups.TEMPLATE_TEXT, groups.RECIPE, groups.WAVELENGTHS,
+):  # fmt: skip
+    for value in (7, "{ broken", {"a": 1}, [1.0, 2.0], ""):
+        material = assigned()
+        tree_of(material)[name] = value
+        assert drawn(), (name, value)
+        module("nodes.schema").migrate()
+        module("nodes.fallback").put_in_place()
+        if name == groups.MATERIAL:  # which one it was is not known any more
+            refused(bpy.ops.nacre.rebuild_material, "unknown material")
+        elif (name, value) == (groups.SCHEMA, 7):
+            refused(bpy.ops.nacre.rebuild_material, "newer Nacre")
+        else:
+            assert bpy.ops.nacre.rebuild_material() == {"FINISHED"}
+            assert materials.missing_tables(material) == ()
+        assert drawn(), (name, value)
+for name, values in (
+    (stack.TEMPLATE, (7, "schema = [", {"a": 1}, "")),
+    (stack.ILLUMINANT, (7, "D99")),
+    (stack.OBSERVER, (7, "cie1492")),
+):
+    for value in values:
+        material = assigned(edit=True)
+        material[name] = value
+        said = drawn()
+        assert "The stored stack cannot be read" in said, (name, value, said)
+        live.finish_all()
+        live._after_undo()
+        assert bpy.ops.nacre.revert_stack() == {"FINISHED"}
+        assert not stack.is_edited(material)
+        assert "nacre.edit_stack" in drawn()
+
+# Newer, missing, linked.
+material = assigned(edit=True)
+tree_of(material)[groups.SCHEMA] = groups.SCHEMA_VERSION + 1
+assert any("newer Nacre" in text for text in drawn())
+material = assigned()
+for node in tree_of(material).nodes:
+    if node.type == "TEX_IMAGE":
+        node.image = None
+assert any("Shown flat" in text for text in drawn())
+material = assigned(edit=True)
+material.name = "Lent"
+bpy.ops.wm.save_as_mainfile(filepath=str(folder / "lent.blend"))
+ways = [{"link": True}]
+if bpy.app.version >= (5, 0, 0):
+    ways.append({"link": True, "pack": True})
+for options in ways:
+    cube = new_file()
+    with bpy.data.libraries.load(str(folder / "lent.blend"), **options) as (_, wanted):
+        wanted.materials = ["Lent"]
+    cube.data.materials.append(wanted.materials[0])
+    assert not cube.active_material.is_editable
+    assert "nacre.revert_stack" in drawn()
+    assert not bpy.ops.nacre.revert_stack.poll()
+    assert not bpy.ops.nacre.rebuild_material.poll()
+    live.finish_all()
+    live._after_undo()
+    assert stack.is_edited(cube.active_material)
+extension.unregister()
