@@ -15,7 +15,10 @@ import pytest
 HERE = Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 FIXTURES = HERE / "fixtures"
+PACKAGE = ROOT / "cpp_tools" / "python"
 LINES = {"4.5": "NACRE_BPY45", "5.2": "NACRE_BPY52"}
+
+sys.path.insert(0, str(PACKAGE))
 
 
 def _load_extension():
@@ -38,6 +41,8 @@ class Blender:
             "BLENDER_USER_RESOURCES": str(scratch / "user"),
             "NACRE_MATERIALS": str(FIXTURES),
             "PYTHONWARNINGS": "ignore",
+            # The extension's wheel brings the package where it is installed.
+            "PYTHONPATH": str(PACKAGE),
         }
         (scratch / "user").mkdir(parents=True, exist_ok=True)
 
