@@ -71,7 +71,7 @@ def test_all_templates_compile_twice_to_the_same_bytes(nacre, templates, tmp_pat
         # From different folders and by different paths: no path may enter a file.
         (tmp_path / name).mkdir()
         relative = [os.path.relpath(source, tmp_path / name) for source in sources]
-        nacre.ok("compile", *relative, "-o", "materials", cwd=tmp_path / name)
+        nacre.ok("compile", *relative, "-o", "materials", cwd=tmp_path / name, timeout=1200)
     first = contents(tmp_path / "first" / "materials")
     assert first == contents(tmp_path / "second" / "materials")
     assert {Path(name).parts[0] for name in first} == {source.stem for source in sources}
