@@ -10,7 +10,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 extension = load()
 extension.register()
@@ -19,16 +19,6 @@ groups = module("nodes.group")
 stack = module("nodes.stack")
 live = module("nodes.live")
 folder = Path(sys.argv[2])
-
-
-def refused(call, message: str) -> None:
-    try:
-        call()
-    except RuntimeError as error:
-        said = str(error)
-    else:
-        said = "nothing"
-    assert message in said, said
 
 
 def tree_of(material) -> bpy.types.NodeTree:

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 extension = load()
 extension.register()
@@ -19,16 +19,6 @@ live = module("nodes.live")
 fallback = module("nodes.fallback")
 folder = Path(sys.argv[2])
 source = folder / "shot.blend"
-
-
-def refused(call, message: str) -> None:
-    try:
-        call()
-    except RuntimeError as error:
-        said = str(error)
-    else:
-        said = "nothing"
-    assert message in said, said
 
 
 def everything(material) -> tuple:

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import bpy
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 extension = load()
 extension.register()
@@ -74,16 +74,6 @@ def drawn() -> list[str]:
         if panel.poll(context):
             panel.draw(SimpleNamespace(layout=Layout(said)), context)
     return said
-
-
-def refused(call, message: str) -> None:
-    try:
-        call()
-    except RuntimeError as error:
-        said = str(error)
-    else:
-        said = "nothing"
-    assert message in said, said
 
 
 def assigned(*, edit: bool = False) -> bpy.types.Material:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 extension = load()
 extension.register()
@@ -25,16 +25,6 @@ import nacre  # noqa: E402  on the path that Blender was given
 
 SIZE, TILT_DEG = 32, 50.0
 UV_AT = ((20, 9), (5, 25), (16, 16))
-
-
-def refused(call, message: str) -> None:
-    try:
-        call()
-    except RuntimeError as error:
-        said = str(error)
-    else:
-        said = "nothing"
-    assert message in said, said
 
 
 def probe(x: int, y: int) -> dict:

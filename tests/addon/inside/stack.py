@@ -9,7 +9,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 extension = load()
 extension.register()
@@ -32,16 +32,6 @@ def texels(material, name="R"):
     values = np.empty(width * height * 4, np.float32)
     image.pixels.foreach_get(values)
     return values.reshape(height, width, 4)[..., :3].copy()
-
-
-def refused(call, message: str) -> None:
-    try:
-        call()
-    except RuntimeError as error:
-        said = str(error)
-    else:
-        said = "nothing"
-    assert message in said, said
 
 
 cube = new_file()

@@ -31,6 +31,17 @@ def new_file() -> bpy.types.Object:
     return bpy.context.object
 
 
+def refused(call, message: str) -> None:
+    """Holds that an operator fails, and says so in these words."""
+    try:
+        call()
+    except RuntimeError as error:
+        said = str(error)
+    else:
+        said = "nothing"
+    assert message in said, said
+
+
 def render(path: Path) -> None:
     scene = bpy.context.scene
     scene.cycles.samples = 4

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 extension = load()
 extension.register()
@@ -17,16 +17,6 @@ materials = module("nodes.material")
 thickness = module("nodes.thickness")
 SOURCES = module("core.thickness").SOURCES
 folder = Path(sys.argv[2])
-
-
-def refused(call, message: str) -> None:
-    try:
-        call()
-    except RuntimeError as error:
-        said = str(error)
-    else:
-        said = "nothing"
-    assert message in said, said
 
 
 def close(a: float, b: float, tolerance: float = 1e-3) -> bool:

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 extension = load()
 extension.register()
@@ -21,16 +21,6 @@ live = module("nodes.live")
 problems = module("core.problems")
 folder = Path(sys.argv[2])
 BLEND = folder / "Älter 薄膜.blend"
-
-
-def refused(call, message: str) -> None:
-    try:
-        call()
-    except RuntimeError as error:
-        said = str(error)
-    else:
-        said = "nothing"
-    assert message in said, said
 
 
 def assigned() -> bpy.types.Material:
