@@ -37,24 +37,36 @@ TECHNIQUES = tuple(
     for number, (name, (label, text)) in enumerate(TECHNIQUE_TEXTS.items())
 )
 
+# Between key and name in the search for media: Blender looks for what is typed in the offered text alone.
+_NAME_OF = " · "
+
 _filling: set[int] = set()  # materials whose properties follow the stored stack
 
 
 def _search_media(_self, _context, typed: str) -> list[str]:
-    """Keys of the library with every word that was typed."""
-    if stacks.library_problem():
-        return []
-    import nacre
-
+    """Media of the library with every word that was typed in key or name: `Cu`, `copper`."""
     words = typed.lower().split()
-    keys = ("air", *nacre.library.keys())
-    return [key for key in keys if all(word in key.lower() for word in words)][:200]
+    offers = (f"{key}{_NAME_OF}{name}" if name else key for key, name in stacks.media())
+    return [offer for offer in offers if all(word in offer.lower() for word in words)]
 
 
 def _on_edit(self, _context) -> None:
     material = self.id_data
     if material.session_uid not in _filling:
         store(material)
+
+
+def _medium_edit(attribute: str):
+    """For `update`: what the search offered is cut down to the key."""
+
+    def edited(self, context) -> None:
+        key, offered, _ = getattr(self, attribute).partition(_NAME_OF)
+        if offered:
+            setattr(self, attribute, key)  # which comes here again
+        else:
+            _on_edit(self, context)
+
+    return edited
 
 
 def _shown_view(_self) -> int:
@@ -82,7 +94,7 @@ class NACRE_PG_layer(bpy.types.PropertyGroup):
         "or cauchy 1.54 0.004",
         search=_search_media,
         search_options={"SUGGESTION"},
-        update=_on_edit,
+        update=_medium_edit("medium"),
     )
     thickness_nm: FloatProperty(
         name="Thickness (nm)",
@@ -110,7 +122,7 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
         description="What lies over the film",
         search=_search_media,
         search_options={"SUGGESTION"},
-        update=_on_edit,
+        update=_medium_edit("ambient"),
     )
     layers: CollectionProperty(type=NACRE_PG_layer)
     active: IntProperty(name="Layer")
@@ -119,7 +131,7 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
         description="What the film lies on",
         search=_search_media,
         search_options={"SUGGESTION"},
-        update=_on_edit,
+        update=_medium_edit("substrate"),
     )
     varying: IntProperty(default=-1)
     low_nm: FloatProperty(

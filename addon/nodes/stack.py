@@ -57,6 +57,26 @@ def library_problem() -> str:
     return ""
 
 
+def media() -> list[tuple[str, str]]:
+    """Key and name of what can be a medium: air, and the library; nothing without the package."""
+    if library_problem():
+        return []
+    import nacre
+
+    keys = nacre.library.keys()
+    return [("air", ""), *((key, _name_of(key)) for key in keys)]
+
+
+@lru_cache(maxsize=1024)
+def _name_of(key: str) -> str:
+    import nacre
+
+    try:
+        return nacre.library.medium(key).name
+    except nacre.NacreError:  # a file of the user's own that cannot be read; choosing it says why
+        return ""
+
+
 def is_edited(material: bpy.types.Material | None) -> bool:
     return material is not None and TEMPLATE in material
 

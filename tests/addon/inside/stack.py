@@ -122,6 +122,20 @@ assert "must be named" in live.problem(material)
 shown.substrate = "Ag/Johnson"
 assert live.problem(material) == ""
 
+# The search offers media by key and by name; what is chosen becomes the key.
+search = module("properties")._search_media
+assert "Cu/Johnson · Copper" in search(None, None, "copper")
+assert "Cu/Johnson · Copper" in search(None, None, "cu john")
+assert search(None, None, "copper unobtainium") == []
+assert "air" in search(None, None, "")
+shown.substrate = "Cu/Johnson · Copper"
+assert shown.substrate == "Cu/Johnson"
+assert stack.stack_of(material).substrate == "Cu/Johnson"
+kept = shown.layers[0].medium
+shown.layers[0].medium = "TiO2/Sarkar · Titanium dioxide, film"
+assert (shown.layers[0].medium, live.problem(material)) == ("TiO2/Sarkar", "")
+shown.layers[0].medium, shown.substrate = kept, "Ag/Johnson"
+
 # Another technique is seen at once; one outside its domain is told, and changes nothing.
 assert shown.technique == "multilayer"
 before = texels(material)
