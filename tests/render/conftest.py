@@ -36,9 +36,25 @@ def blender(request, tmp_path_factory) -> Blender:
     return Blender(request.param, python, tmp_path_factory.mktemp("blender"))
 
 
+REPORT = Report(Path(os.environ.get("NACRE_REPORT", ROOT / "build" / "report")))
+
+
+def _of_several(config) -> bool:
+    """Whether this is one of pytest-xdist's processes, whose first one has the page in its care."""
+    return hasattr(config, "workerinput")
+
+
+def pytest_sessionstart(session):
+    if not _of_several(session.config):
+        REPORT.clear()
+
+
+def pytest_sessionfinish(session):
+    if not _of_several(session.config):
+        REPORT.write()
+
+
 @pytest.fixture(scope="session")
-def report():
-    """Failed comparisons, written as a page at the end of the run."""
-    collected = Report(Path(os.environ.get("NACRE_REPORT", ROOT / "build" / "report")))
-    yield collected
-    collected.write()
+def report() -> Report:
+    """Failed comparisons, a page at the end of the run."""
+    return REPORT

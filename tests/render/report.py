@@ -1,11 +1,14 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""The page that shows what failed: reference, new picture, 16 times their difference."""
+"""The page that shows what failed: reference, new picture, 16 times their difference.
+
+Each failure leaves a part of the page in a file of its own, since tests run in several processes.
+"""
 
 from __future__ import annotations
 
 import html
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -23,10 +26,17 @@ code {{ background: #000; padding: .2em .5em }}
 """
 
 
-@dataclass
+@dataclass(frozen=True)
 class Report:
     folder: Path
-    rows: list[str] = field(default_factory=list)
+
+    @property
+    def parts(self) -> list[Path]:
+        return sorted(self.folder.glob("*.part"))
+
+    def clear(self) -> None:
+        for part in self.parts:
+            part.unlink()
 
     def add(
         self, name: str, keyword: str, new: np.ndarray, reference: np.ndarray, text: str
@@ -43,15 +53,17 @@ class Report:
             file = f"{name}-{label.replace(' ', '')}.png"
             Image.fromarray(display(pixels)).save(self.folder / file)
             figures.append(f'<figure><img src="{file}"><figcaption>{label}</figcaption></figure>')
-        self.rows.append(
+        (self.folder / f"{name}.part").write_text(
             f"<h2>{html.escape(name)}</h2><p>{html.escape(text)}</p>{''.join(figures)}"
-            f"<p>Reviewed and right? <code>./dev refs -k {html.escape(keyword)}</code></p>"
+            f"<p>Reviewed and right? <code>./dev refs -k {html.escape(keyword)}</code></p>",
+            "utf-8",
         )
 
     def write(self) -> None:
         page = self.folder / "index.html"
-        if self.rows:
-            page.write_text(PAGE.format(count=len(self.rows), rows="\n".join(self.rows)), "utf-8")
+        rows = [part.read_text("utf-8") for part in self.parts]
+        if rows:
+            page.write_text(PAGE.format(count=len(rows), rows="\n".join(rows)), "utf-8")
         else:
             page.unlink(missing_ok=True)
 
