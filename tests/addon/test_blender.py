@@ -57,3 +57,10 @@ def test_saved_file_renders_the_same_without_the_extension(blender, tmp_path, fo
     blender.script("save", tmp_path, form, material)
     blender.environment["NACRE_MATERIALS"] = str(tmp_path / "nowhere")
     blender.script("reopen", tmp_path)
+
+
+def test_osl_asks_for_no_file_without_a_name(blender, tmp_path, library):
+    """Packed tables are looked up outside the shader; Cycles 5.2 tells of textures that it cannot find."""
+    blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
+    printed = blender.script("save", tmp_path, "osl", "oil_on_water")
+    assert "Failed to load" not in printed

@@ -19,6 +19,9 @@ color nacre_table(string file, float x, float y, float width, float height, int 
 color nacre_film_colour(string file, color given, float x, float y, float width, float height,
                         int origin_top)
 {
-    if (file == "") return given;
-    return nacre_table(file, x, y, width, height, origin_top);
+    // No early return: what follows one is not optimised away, and Cycles 5.2 would look for a file
+    // without a name.
+    color found = given;
+    if (file != "") found = nacre_table(file, x, y, width, height, origin_top);
+    return found;
 }
