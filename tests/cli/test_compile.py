@@ -71,27 +71,13 @@ def test_technique_is_recorded_and_held_to_its_domain(nacre, film, tmp_path):
 
 def test_all_templates_compile_twice_to_the_same_bytes(nacre, templates, tmp_path, monkeypatch):
     """The build made the first of the two, from elsewhere by other paths: none may enter a file."""
-    monkeypatch.delenv(
-        "NACRE_PYTHON", raising=False
-    )  # as the build does: no shader for one Blender
+    monkeypatch.delenv("NACRE_PYTHON", raising=False)  # as in the build
     sources = sorted(templates.glob("*.toml"))
     relative = [os.path.relpath(source, tmp_path) for source in sources]
     nacre.ok("compile", *relative, "-o", "materials", cwd=tmp_path, timeout=1200)
     first = contents(MATERIALS)
     assert first == contents(tmp_path / "materials")
     assert {Path(name).parts[0] for name in first} == {source.stem for source in sources}
-
-
-def test_compiled_shaders_have_the_same_bytes_twice(nacre, film, tmp_path):
-    """With what Cycles compiled, where NACRE_PYTHON has it."""
-    for name in ("first", "second"):
-        (tmp_path / name).mkdir()
-        source = os.path.relpath(film, tmp_path / name)
-        nacre.ok("compile", source, "-o", "materials", cwd=tmp_path / name)
-    first = contents(tmp_path / "first" / "materials")
-    assert first == contents(tmp_path / "second" / "materials")
-    if os.environ.get("NACRE_PYTHON"):
-        assert "test_film/test_film.oso" in first
 
 
 def test_manifest_and_tables_agree(nacre, film, tmp_path):

@@ -6,22 +6,21 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import colour
 import numpy as np
 import pytest
+from lab import lab
 
 import nacre
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "osl" / "templates"
-D65 = [0.3127, 0.3290]
 
 
 def lightness_chroma_hue(material: str, value: float, angle_deg: float = 0.0):
     """CIE L*, C*ab, hue angle in degrees of the exact reflectance."""
     text = (TEMPLATES / f"{material}.toml").read_text("utf-8")
     rgb = nacre.template_spectrum(text, value, angle_deg).colours[0]
-    lab = colour.XYZ_to_Lab(colour.RGB_to_XYZ(rgb, "sRGB", apply_cctf_decoding=False), D65)
-    return lab[0], np.hypot(lab[1], lab[2]), np.degrees(np.arctan2(lab[2], lab[1])) % 360
+    lightness, a, b = lab(rgb)
+    return lightness, np.hypot(a, b), np.degrees(np.arctan2(b, a)) % 360
 
 
 # Names in the order of rising temperature, as charts for tool steel have them, e.g.

@@ -12,12 +12,11 @@ from pathlib import Path
 import colour
 import numpy as np
 import pytest
+from lab import lab
 
 import nacre
 
 DOC = Path(__file__).parents[2] / "cpp_tools" / "doc" / "models.md"
-TO_XYZ = colour.RGB_COLOURSPACES["ITU-R BT.709"].matrix_RGB_to_XYZ
-D65 = [0.3127, 0.3290]
 FILMS = {
     "soap film": ('medium = "water/Daimon-20C"', 'medium = "air"'),
     "oil on water": ("abbe = { n_d = 1.47, v_d = 50 }", 'medium = "water/Daimon-20C"'),
@@ -40,19 +39,19 @@ def template(film: str, technique: str) -> str:
 
 
 @lru_cache
-def lab(film: str, technique: str) -> np.ndarray:
+def colours(film: str, technique: str) -> np.ndarray:
     """CIE L*a*b* of the reflection, shape (angles, thicknesses, 3)."""
     text = template(film, technique)
     rgb = [
         [nacre.template_spectrum(text, nm, angle).colours[0] for nm in THICKNESSES]
         for angle in ANGLES
     ]
-    return colour.XYZ_to_Lab(np.array(rgb) @ TO_XYZ.T, D65)
+    return lab(rgb)
 
 
 def mean_difference(film: str, technique: str) -> float:
     """ΔE00 from the multilayer."""
-    pair = lab(film, technique), lab(film, "multilayer")
+    pair = colours(film, technique), colours(film, "multilayer")
     return float(colour.delta_E(*pair, method="CIE 2000").mean())
 
 
