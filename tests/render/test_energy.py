@@ -18,43 +18,48 @@ FORMS = ("osl", "nodes")
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
 
-def values(material: str, roughness: float) -> dict:
+# The last one reflects greens outside the gamut, whose negative channels nodes cut.
+CASES = [(film, {}) for film in FILMS] + [("soap_film", {"thickness_nm": 340.0})]
+NAMES = ["-".join([film, *(f"{value:g}" for value in more.values())]) for film, more in CASES]
+
+
+def values(material: str, roughness: float, more: dict) -> dict:
     """A white base where there is one: the most that can come back."""
     names = {socket["name"] for socket in manifest(material)["sockets"]}
-    given = {"roughness": roughness, "base_colour": (1.0, 1.0, 1.0, 1.0)}
+    given = {"roughness": roughness, "base_colour": (1.0, 1.0, 1.0, 1.0), **more}
     return {name: value for name, value in given.items() if name in names}
 
 
 @pytest.fixture(scope="module")
 def furnaces(blender):
-    keys = [(film, form, rough) for film in FILMS for form in FORMS for rough in ROUGHNESSES]
+    keys = [(name, form, rough) for name in NAMES for form in FORMS for rough in ROUGHNESSES]
     jobs = [
         {
             "material": film,
-            "values": values(film, rough),
+            "values": values(film, rough, more),
             "form": form,
             "lit": "all",
             "size": SIZE,
             "samples": SAMPLES,
         }
-        for film, form, rough in keys
+        for film, more in CASES
+        for form in FORMS
+        for rough in ROUGHNESSES
     ]
     return dict(zip(keys, blender.run("furnace_worker.py", jobs), strict=True))
 
 
 @pytest.mark.parametrize("form", FORMS)
-@pytest.mark.parametrize("material", FILMS)
-def test_no_light_is_made(furnaces, material, form, record_property):
+@pytest.mark.parametrize("name", NAMES)
+def test_no_light_is_made(furnaces, name, form, record_property):
     cosines, counted = pixel_cosines(SIZE)
     zones = {"sphere": counted, "rim": counted & (cosines < 0.6)}
     found = {
-        (rough, name): float((furnaces[material, form, rough][zone] @ LUMINANCE).mean())
+        (rough, part): float((furnaces[name, form, rough][zone] @ LUMINANCE).mean())
         for rough in ROUGHNESSES
-        for name, zone in zones.items()
+        for part, zone in zones.items()
     }
     record_property("most", f"{max(found.values()):.5f}")
     print({key: round(value, 5) for key, value in found.items()})
-    # The node form cuts negative channels, which leaves more than there was.
-    cut = form == "nodes" and manifest(material)["gamut"]["negative"]
-    assert max(found.values()) <= 1 + (1e-2 if cut else 1e-3)
+    assert max(found.values()) <= 1 + 1e-3
     assert min(found.values()) > 0.0

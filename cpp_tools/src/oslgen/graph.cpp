@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numbers>
 #include <set>
 #include <variant>
@@ -382,28 +383,50 @@ std::string add_base_colour(Graph& graph, const Context& context)
     return add_colour_math(graph, "base", "DIVIDE", passing, rest);
 }
 
-/// The shader for what passes the film; empty where nothing does.
-std::string add_below_the_film(Graph& graph, const Context& context)
+/// Whether the film or the bare substrate reflects a colour outside the gamut somewhere.
+bool reflects_negative(const Context& context)
 {
+    return std::ranges::any_of(context.tables, [](const TableInfo& table) {
+        return table.lowest < 0.0 && (table.name == "R" || table.name.starts_with("R_rough") ||
+                                      table.name == "R_bare");
+    });
+}
+
+/// What passes the film, less what Cycles adds to the reflection where it cuts its negative
+/// channels: together they send on what the exact colours do.
+std::string without_the_cut(Graph& graph, const Context& context, const std::string& reflected,
+                            const std::string& passing)
+{
+    if (!reflects_negative(context)) return passing;
+    const std::string cut =
+        add_colour_math(graph, "cut", "MINIMUM", reflected, "", {{"1", {0.0, 0.0, 0.0}}});
+    return add_colour_math(graph, "passing_less_cut", "ADD", passing, cut);
+}
+
+/// The shader for what passes the film that reflects the colour of socket `reflected`; empty where
+/// nothing does.
+std::string add_below_the_film(Graph& graph, const Context& context, const std::string& reflected)
+{
+    const auto colour = [&](const std::string& passing, const std::string& shader) {
+        graph.link(without_the_cut(graph, context, reflected, passing), shader + ".Color");
+        return shader + ".BSDF";
+    };
     switch (context.source->interior()) {
         case material::Interior::opaque:
             return "";
         case material::Interior::thin_wall:
             graph.node("transmission", "ShaderNodeBsdfTransparent");
-            graph.link(faded(graph, context, "T"), "transmission.Color");
-            return "transmission.BSDF";
+            return colour(faded(graph, context, "T"), "transmission");
         case material::Interior::solid:
             graph.node("transmission", "ShaderNodeBsdfRefraction", {{"distribution", "GGX"}},
                        {{"IOR", context.solid_index.value()}});
-            graph.link(faded(graph, context, "T"), "transmission.Color");
             graph.link("input.roughness", "transmission.Roughness");
             graph.link("input.normal", "transmission.Normal");
-            return "transmission.BSDF";
+            return colour(faded(graph, context, "T"), "transmission");
         case material::Interior::diffuse:
             graph.node("matt", "ShaderNodeBsdfDiffuse");
-            graph.link(add_base_colour(graph, context), "matt.Color");
             graph.link("input.normal", "matt.Normal");
-            return "matt.BSDF";
+            return colour(add_base_colour(graph, context), "matt");
     }
     return "";
 }
@@ -413,7 +436,8 @@ Json film_nodes(const Context& context)
     Graph graph;
     add_tables(graph, context);
     graph.node("reflection", "ShaderNodeBsdfAnisotropic", {{"distribution", "GGX"}});
-    graph.link(faded(graph, context, "R"), "reflection.Color");
+    const std::string reflected = faded(graph, context, "R");
+    graph.link(reflected, "reflection.Color");
     graph.link("input.roughness", "reflection.Roughness");
     graph.link("input.normal", "reflection.Normal");
     if (context.source->surface.anisotropy) {
@@ -421,7 +445,7 @@ Json film_nodes(const Context& context)
         graph.link("input.rotation", "reflection.Rotation");
         graph.link("input.tangent", "reflection.Tangent");
     }
-    const std::string below = add_below_the_film(graph, context);
+    const std::string below = add_below_the_film(graph, context, reflected);
     if (below.empty()) {
         graph.link("reflection.BSDF", "output.BSDF");
         return graph.json();
