@@ -20,8 +20,10 @@ namespace {
 using spectral::Vec3;
 
 constexpr int kColumns = 33;
-// Each row of a factor on all layers is a stack of its own; of one layer that varies it is not.
-constexpr int kScaledRows = 41;
+// Tables are read linearly, these rows are enlarged by cubics: fewer do. Each row of a factor on all
+// layers is a stack of its own, and closed forms are computed row by row; of one layer that varies
+// rows are cheap.
+constexpr int kScaledRows = 41, kRowsPerClosedFormRow = 4, kRowsPerRow = 2;
 constexpr int kInnerRows = 25;
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
@@ -229,12 +231,24 @@ private:
 
 }  // namespace
 
+namespace {
+
+int coarse_rows(const FilmTableRequest& request, int height)
+{
+    if (!request.variation) return height;
+    const bool scale = !request.variation->layer;
+    const int step = request.technique ? kRowsPerClosedFormRow : kRowsPerRow;
+    const int rows = scale ? kScaledRows : std::max(kScaledRows, (height + step - 1) / step);
+    return std::min(rows, height);
+}
+
+}  // namespace
+
 FilmTables preview_film_tables(const FilmTableRequest& request, TexelSize size)
 {
     FilmTableRequest coarse = request;
-    const bool scale = request.variation && !request.variation->layer;
-    coarse.size = std::array<int, 2>{std::min(kColumns, size.width),
-                                     scale ? std::min(kScaledRows, size.height) : size.height};
+    coarse.size =
+        std::array<int, 2>{std::min(kColumns, size.width), coarse_rows(request, size.height)};
     coarse.measure_error = false;
     coarse.precision = Precision::single_precision;
     coarse.progress = nullptr;
