@@ -23,6 +23,8 @@ constexpr int kFewestTerms = 6, kMostTerms = 16, kMoreTerms = 2;
 constexpr std::array kRidges{3e-4, 1e-4, 3e-5};
 // Of the colours at all thicknesses: further components are below what a fit reaches.
 constexpr Eigen::Index kComponents = 24;
+constexpr int kLevelSteps = 60;
+constexpr double kLeastGrowth = 0.02;
 constexpr double kLeastExponent = 0.3, kLargestExponent = 400.0;
 
 /// (1 − cosθ)^e, one column for each exponent; e_0 = 0.
@@ -94,8 +96,9 @@ struct Samples {
 Samples samples(const Table& table)
 {
     const auto width = static_cast<Eigen::Index>(table.x.texels);
-    const Eigen::Index first =
-        static_cast<Eigen::Index>(std::ceil(kLeastCountedCosine * static_cast<double>(width - 1)));
+    // One that may lie below the least cosine, so that all above it is between samples.
+    const auto first =
+        static_cast<Eigen::Index>(kLeastCountedCosine * static_cast<double>(width - 1));
     Samples result{.versines = VectorXd(width - first),
                    .values = MatrixXd(width - first, Eigen::Index{3} * table.y.texels)};
     for (Eigen::Index x = first; x < width; ++x) {
@@ -129,6 +132,15 @@ struct Fit {
     double error_max, error_rms, ridge;
 };
 
+/// As the renderer has the coefficients, and what they leave.
+void measure(Fit& fit, const MatrixXd& basis, const MatrixXd& values)
+{
+    fit.coefficients = fit.coefficients.cast<float>().cast<double>();
+    const MatrixXd left = basis * fit.coefficients - values;
+    fit.error_max = left.cwiseAbs().maxCoeff();
+    fit.error_rms = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
+}
+
 Fit fit(const Samples& at, const MatrixXd& components, int terms, double ridge)
 {
     Fit result{.log_exponents = fitted_exponents(at.versines, components, terms, ridge),
@@ -138,12 +150,46 @@ Fit fit(const Samples& at, const MatrixXd& components, int terms, double ridge)
                .ridge = ridge};
     const MatrixXd basis = powers(at.versines, result.log_exponents);
     result.coefficients = coefficients(basis, at.values, ridge);
-    // As the renderer has them.
-    result.coefficients = result.coefficients.cast<float>().cast<double>();
-    const MatrixXd left = basis * result.coefficients - at.values;
-    result.error_max = left.cwiseAbs().maxCoeff();
-    result.error_rms = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
+    measure(result, basis, at.values);
     return result;
+}
+
+/// Coefficients of one colour whose largest error is as small as can be, by weights that grow where
+/// the error is large (Lawson 1961); none if it does not fall below that of `start`.
+std::optional<VectorXd> levelled(const MatrixXd& basis, const VectorXd& values,
+                                 const VectorXd& start, double ridge, double allowed)
+{
+    VectorXd errors = (basis * start - values).cwiseAbs();
+    VectorXd weights = VectorXd::Ones(values.size());
+    double least = errors.maxCoeff();
+    std::optional<VectorXd> best;
+    for (int i = 0; i < kLevelSteps && least > allowed; ++i) {
+        // An error of nothing must not make its angle's weight 0 for good.
+        weights.array() *= errors.array() / errors.maxCoeff() + kLeastGrowth;
+        weights *= static_cast<double>(weights.size()) / weights.sum();
+        const VectorXd roots = weights.cwiseSqrt();
+        const VectorXd next = coefficients(roots.asDiagonal() * basis, roots.cwiseProduct(values),
+                                           ridge);
+        errors = (basis * next - values).cwiseAbs();
+        if (errors.maxCoeff() >= least) continue;
+        least = errors.maxCoeff();
+        best = next;
+    }
+    return best;
+}
+
+/// Levels the errors of the colours that least squares leave above what is allowed.
+void level(Fit& fit, const Samples& at, double allowed)
+{
+    const MatrixXd basis = powers(at.versines, fit.log_exponents);
+    const VectorXd largest =
+        (basis * fit.coefficients - at.values).cwiseAbs().colwise().maxCoeff().transpose();
+    for (Eigen::Index k = 0; k < largest.size(); ++k)
+        if (largest[k] > allowed)
+            if (const auto better =
+                    levelled(basis, at.values.col(k), fit.coefficients.col(k), fit.ridge, allowed))
+                fit.coefficients.col(k) = *better;
+    measure(fit, basis, at.values);
 }
 
 Fit best_fit(const Samples& at, double allowed)
@@ -156,6 +202,7 @@ Fit best_fit(const Samples& at, double allowed)
             if (!best || next.error_max < best->error_max) best = std::move(next);
             if (best->error_max <= allowed) return *best;
         }
+    level(*best, at, allowed);
     return *best;
 }
 
@@ -191,7 +238,8 @@ Table coefficient_table(const Table& values, const Fit& fit)
 
 SchlickFit fit_schlick(const FilmTableRequest& request, const Table& smooth, double allowed)
 {
-    const int width = smooth.x.texels;
+    // Twice as fine as the table, so that no error hides between its texels.
+    const int width = 2 * smooth.x.texels - 1;
     const int height = smooth.y.texels == 1 ? 1 : std::max(17, (smooth.y.texels + 2) / 3);
     const Table film = bake_film_tables(quick(request, width, height)).reflectance;
     const Fit found = best_fit(samples(film), allowed);
