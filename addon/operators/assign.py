@@ -53,10 +53,16 @@ class NACRE_OT_assign_material(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if not _targets(context):
+        if _targets(context):
+            return True
+        linked = next((obj for obj in _chosen(context) if not _takes_materials(obj)), None)
+        if linked is None:
             cls.poll_message_set("Select an object that can have a material")
-            return False
-        return True
+        else:
+            library = linked.library or linked.data.library
+            source = library.name if library else "another file"
+            cls.poll_message_set(f"{linked.name} is linked from {source}: make it local first")
+        return False
 
     def invoke(self, context, _event):
         self.form = context.scene.nacre.form
@@ -95,19 +101,32 @@ def _describe(scene, compiled: CompiledMaterial, form: str, targets: list) -> li
     return said
 
 
-def _targets(context) -> list[bpy.types.Object]:
-    """The active object and the selected ones that take materials, each once."""
+def _chosen(context) -> list[bpy.types.Object]:
+    """The active object and the selected ones of kinds that have materials, each once."""
     chosen = [context.active_object, *(context.selected_objects or ())]
     unique = dict.fromkeys(obj for obj in chosen if obj is not None)
-    return [obj for obj in unique if hasattr(obj.data, "materials") and obj.is_editable]
+    return [obj for obj in unique if hasattr(obj.data, "materials")]
+
+
+def _takes_materials(obj: bpy.types.Object) -> bool:
+    """An object of linked data has as many slots as that, and may hold materials of its own."""
+    return obj.is_editable and (obj.data.is_editable or bool(obj.material_slots))
+
+
+def _targets(context) -> list[bpy.types.Object]:
+    return [obj for obj in _chosen(context) if _takes_materials(obj)]
 
 
 def _put(obj: bpy.types.Object, material: bpy.types.Material, new_slot: bool) -> None:
-    if new_slot or not obj.material_slots:
+    own = obj.data.is_editable
+    if own and (new_slot or not obj.material_slots):
         obj.data.materials.append(material)
         obj.active_material_index = len(obj.material_slots) - 1
-    else:
-        obj.material_slots[obj.active_material_index].material = material
+        return
+    slot = obj.material_slots[obj.active_material_index]
+    if not own:
+        slot.link = "OBJECT"
+    slot.material = material
 
 
 CLASSES = (NACRE_OT_assign_material,)

@@ -91,4 +91,41 @@ assert materials.group_node(local).node_tree.library is None
 with bpy.data.libraries.load(str(source), link=True) as (_, wanted):
     wanted.materials = ["Shot Oil"]
 assert '"Au/Johnson"' in wanted.materials[0][stack.TEMPLATE]
+
+# A linked object says why it takes none; one of its own with linked data, or a library override,
+# holds the material itself, and the data stay.
+new_file().data.materials.append(bpy.data.materials.new("Paint"))
+bpy.ops.mesh.primitive_plane_add()
+bpy.context.object.name = "Bare"
+bpy.ops.wm.save_as_mainfile(filepath=str(folder / "set.blend"))
+bpy.ops.wm.read_homefile(use_empty=True)
+with bpy.data.libraries.load(str(folder / "set.blend"), link=True) as (_, wanted):
+    wanted.objects = ["Bare", "Cube"]
+bare, cube = wanted.objects
+collection, active = bpy.context.scene.collection, bpy.context.view_layer.objects
+collection.objects.link(bare)
+active.active = bare
+refused(
+    lambda: bpy.ops.nacre.assign_material(material="oil_on_water", form="nodes"),
+    "Bare is linked from set.blend: make it local first",
+)
+plane = bpy.data.objects.new("Plane", bare.data)  # no slot of its own
+collection.objects.link(plane)
+active.active = plane
+refused(
+    lambda: bpy.ops.nacre.assign_material(material="oil_on_water", form="nodes"),
+    "Plane is linked from set.blend: make it local first",
+)
+others = list(cube.data.materials)
+assert others
+for holder in (bpy.data.objects.new("Local", cube.data), cube.override_create()):
+    collection.objects.link(holder)
+    active.active = holder
+    for new_slot in (False, True):  # linked data have no room for another
+        assert bpy.ops.nacre.assign_material(
+            material="oil_on_water", form="nodes", new_slot=new_slot
+        ) == {"FINISHED"}
+    assert [slot.link for slot in holder.material_slots] == ["OBJECT"]
+    assert materials.describe(holder.active_material).form == "nodes"
+    assert list(cube.data.materials) == others
 extension.unregister()
