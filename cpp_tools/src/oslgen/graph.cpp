@@ -6,57 +6,16 @@
 
 #include <algorithm>
 #include <numbers>
-#include <set>
 #include <variant>
 #include <vector>
 
+#include "graph_builder.h"
 #include "shader_text.h"
 
 namespace nacre::oslgen {
 namespace {
 
 using Json = nlohmann::json;
-
-/// Collects nodes and links in the form of the manifest.
-class Graph {
-public:
-    void node(std::string id, std::string type, Json properties = Json::object(),
-              Json values = Json::object())
-    {
-        Json entry{{"id", std::move(id)}, {"type", std::move(type)}};
-        if (!properties.empty()) entry["properties"] = std::move(properties);
-        if (!values.empty()) entry["values"] = std::move(values);
-        nodes_.push_back(std::move(entry));
-    }
-
-    void image(const std::string& id, const std::string& table)
-    {
-        nodes_.push_back({{"id", id}, {"type", "ShaderNodeTexImage"}, {"table", table}});
-    }
-
-    /// Whether this is the first time that `id` is asked for.
-    [[nodiscard]] bool first(const std::string& id) { return made_.insert(id).second; }
-
-    void link(std::string from, std::string to)
-    {
-        links_.push_back(Json::array({std::move(from), std::move(to)}));
-    }
-
-    [[nodiscard]] Json json() const { return {{"nodes", nodes_}, {"links", links_}}; }
-
-private:
-    Json nodes_ = Json::array(), links_ = Json::array();
-    std::set<std::string> made_;
-};
-
-/// value * factor + offset
-void multiply_add(Graph& graph, const std::string& id, const std::string& from, double factor,
-                  double offset)
-{
-    graph.node(id, "ShaderNodeMath", {{"operation", "MULTIPLY_ADD"}},
-               {{"1", factor}, {"2", offset}});
-    graph.link(from, id + ".0");
-}
 
 /// Socket with |cos| of the angle of view; Geometry's Incoming points to the viewer.
 std::string add_cosine(Graph& graph)
@@ -143,41 +102,6 @@ void add_tables(Graph& graph, const Context& context)
         add_image(graph, table.name, table, id);
     }
 }
-
-/// Math nodes whose operands are sockets or numbers; each call returns the socket of the result.
-class Calculation {
-public:
-    explicit Calculation(Graph& graph) : graph_(&graph) {}
-
-    std::string number(const std::string& id, const char* operation,
-                       const std::vector<Json>& operands, bool clamped = false)
-    {
-        add("ShaderNodeMath", id, operation, operands, clamped);
-        return id + ".Value";
-    }
-    std::string vector(const std::string& id, const char* operation,
-                       const std::vector<Json>& operands)
-    {
-        add("ShaderNodeVectorMath", id, operation, operands, false);
-        return id + ".Vector";
-    }
-
-private:
-    Graph* graph_;
-
-    void add(const char* type, const std::string& id, const char* operation,
-             const std::vector<Json>& operands, bool clamped)
-    {
-        Json properties{{"operation", operation}}, values = Json::object();
-        if (clamped) properties["use_clamp"] = true;
-        for (std::size_t i = 0; i < operands.size(); ++i)
-            if (operands[i].is_number()) values[std::to_string(i)] = operands[i];
-        graph_->node(id, type, std::move(properties), std::move(values));
-        for (std::size_t i = 0; i < operands.size(); ++i)
-            if (operands[i].is_string())
-                graph_->link(operands[i].get<std::string>(), fmt::format("{}.{}", id, i));
-    }
-};
 
 /// cos² of the view and the tangent along which a brushed surface is drawn out.
 std::string add_along_tangent(Graph& graph, Calculation& calculate)
@@ -387,8 +311,8 @@ std::string add_base_colour(Graph& graph, const Context& context)
 bool reflects_negative(const Context& context)
 {
     return std::ranges::any_of(context.tables, [](const TableInfo& table) {
-        return table.lowest < 0.0 && (table.name == "R" || table.name.starts_with("R_rough") ||
-                                      table.name == "R_bare");
+        return table.lowest < 0.0 &&
+               (table.name == "R" || table.name.starts_with("R_rough") || table.name == "R_bare");
     });
 }
 
