@@ -20,9 +20,9 @@ namespace {
 using spectral::Vec3;
 
 constexpr int kColumns = 33;
-// Tables are read linearly, these rows are enlarged by cubics: fewer do. Each row of a factor on all
-// layers is a stack of its own, and closed forms are computed row by row; of one layer that varies
-// rows are cheap.
+// Tables are read linearly, these rows are enlarged by cubics: fewer do. Each row of a factor on
+// all layers is a stack of its own, and closed forms are computed row by row; of one layer that
+// varies rows are cheap.
 constexpr int kScaledRows = 41, kRowsPerClosedFormRow = 4, kRowsPerRow = 2;
 constexpr int kInnerRows = 25;
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();

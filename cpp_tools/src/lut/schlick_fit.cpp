@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/lut/schlick_fit.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Dense>
 #include <algorithm>
 #include <array>
@@ -168,8 +170,8 @@ std::optional<VectorXd> levelled(const MatrixXd& basis, const VectorXd& values,
         weights.array() *= errors.array() / errors.maxCoeff() + kLeastGrowth;
         weights *= static_cast<double>(weights.size()) / weights.sum();
         const VectorXd roots = weights.cwiseSqrt();
-        const VectorXd next = coefficients(roots.asDiagonal() * basis, roots.cwiseProduct(values),
-                                           ridge);
+        const VectorXd next =
+            coefficients(roots.asDiagonal() * basis, roots.cwiseProduct(values), ridge);
         errors = (basis * next - values).cwiseAbs();
         if (errors.maxCoeff() >= least) continue;
         least = errors.maxCoeff();
@@ -184,11 +186,12 @@ void level(Fit& fit, const Samples& at, double allowed)
     const MatrixXd basis = powers(at.versines, fit.log_exponents);
     const VectorXd largest =
         (basis * fit.coefficients - at.values).cwiseAbs().colwise().maxCoeff().transpose();
-    for (Eigen::Index k = 0; k < largest.size(); ++k)
-        if (largest[k] > allowed)
-            if (const auto better =
-                    levelled(basis, at.values.col(k), fit.coefficients.col(k), fit.ridge, allowed))
-                fit.coefficients.col(k) = *better;
+    tbb::parallel_for(Eigen::Index{0}, largest.size(), [&](Eigen::Index k) {
+        if (largest[k] <= allowed) return;
+        if (const auto better =
+                levelled(basis, at.values.col(k), fit.coefficients.col(k), fit.ridge, allowed))
+            fit.coefficients.col(k) = *better;
+    });
     measure(fit, basis, at.values);
 }
 

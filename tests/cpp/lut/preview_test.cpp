@@ -49,8 +49,8 @@ TEST(Preview, IsCloseToTheBake)
 {
     FilmTableRequest closed_form = test::soap_film();
     closed_form.technique = Technique{.model = optics::FilmModel::recursion};
-    for (const FilmTableRequest& request : {test::soap_film(), closed_form, test::anodised(),
-                                            test::mirror(), test::coated_pane()}) {
+    for (const FilmTableRequest& request :
+         {test::soap_film(), closed_form, test::anodised(), test::mirror(), test::coated_pane()}) {
         const FilmTables baked = bake_film_tables(request);
         const FilmTables quick = preview_film_tables(request, size_of(baked.reflectance));
         const Difference R = difference(quick.reflectance, baked.reflectance, request);

@@ -66,9 +66,8 @@ TEST(SchlickFit, LevelsTheErrorsThatLeastSquaresLeave)
 {
     const IndexOnGrid silicon = test::medium("Si/Green-2008");
     const FilmTableRequest request = test::request(
-        constant(1.0),
-        {{silicon, 220.0, true}, {test::medium("SiO2/Malitson"), 2000.0, true}}, silicon,
-        Variation{0, 20.0, 300.0});
+        constant(1.0), {{silicon, 220.0, true}, {test::medium("SiO2/Malitson"), 2000.0, true}},
+        silicon, Variation{0, 20.0, 300.0});
     const SchlickFit found = fit(request);
     std::printf("%zu terms, max %.4f rms %.5f\n", found.exponents.size(), found.error_max,
                 found.error_rms);
