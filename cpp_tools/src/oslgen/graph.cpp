@@ -121,8 +121,8 @@ std::string add_along_tangent(Graph& graph, Calculation& calculate)
                             {"along_tangent.Value", "along_tangent.Value"});
 }
 
-/// Nodes `seen` and `overall`: the roughness of the surfaces without a direction that stand in for
-/// a brushed one, as nacre_brushed_facets() has them.
+/// Nodes `seen`, `cos_seen` and `overall`: roughness and view of the surfaces without a direction
+/// that stand in for a brushed one, as nacre_brushed_facets() has them.
 void add_brush(Graph& graph)
 {
     Calculation calculate(graph);
@@ -156,6 +156,10 @@ void add_brush(Graph& graph)
     const std::string squared = math("seen_sum", "MULTIPLY_ADD", {in_plane, weight, from_above});
     const std::string positive = math("seen_squared", "MAXIMUM", {squared, 0.0});
     math("seen", "POWER", {positive, 0.25}, true);
+    const std::string slopes = math("seen_slopes", "ADD", {2.0, positive});
+    const std::string all_slopes = math("mean_slopes", "ADD", {2.0, mean});
+    const std::string tilt = math("tilt", "DIVIDE", {slopes, all_slopes});
+    math("cos_seen", "MULTIPLY", {"cos.Value", tilt}, true);
     math("overall", "POWER", {mean, 0.25}, true);
 }
 
@@ -199,13 +203,9 @@ void add_level(Graph& graph, const std::string& prefix, const std::string& rough
     math("high", "MINIMUM", {upper, 1.0 - 1.0 / n});
 }
 
-/// Prefix of the nodes of the roughness at which a table is read: further bounces depend on the
-/// surface, not on the view.
-std::string level_of(const Context& context, const TableInfo& table)
-{
-    const bool overall = context.source->surface.anisotropy && table.name.starts_with("R_further");
-    return overall ? "overall_" : "";
-}
+/// Prefixes of the nodes of the roughness at which a brushed surface's tables are read: means over
+/// facets depend on the view, further bounces on the surface.
+constexpr const char *kSeen = "", *kOverall = "overall_";
 
 std::string roughness_of(Graph& graph, const Context& context, const std::string& level)
 {
@@ -215,15 +215,18 @@ std::string roughness_of(Graph& graph, const Context& context, const std::string
 }
 
 /// Positions `<id>_low` and `<id>_high` in a rough table.
-std::string add_slice_positions(Graph& graph, const Context& context, const TableInfo& table)
+std::string add_slice_positions(Graph& graph, const Context& context, const TableInfo& table,
+                                const std::string& level)
 {
-    const std::string level = level_of(context, table);
     std::string id = fmt::format("{}slices_{}x{}", level, table.x.texels, table.y.texels);
     if (!graph.first(id)) return id;
     if (graph.first(level + "level"))
         add_level(graph, level, roughness_of(graph, context, level), table.slices);
     const double columns = table.x.texels, width = columns / table.slices;
-    const std::string cosine = context.solid_index ? "cos_ambient.Result_Float" : "cos.Value";
+    const bool brushed = context.source->surface.anisotropy.has_value();
+    const std::string cosine = context.solid_index         ? "cos_ambient.Result_Float"
+                               : brushed && level == kSeen ? "cos_seen.Value"
+                                                           : "cos.Value";
     multiply_add(graph, id + "_in", cosine, (width - 1.0) / columns, 0.5 / columns);
     const std::string row = add_row(graph, table);
     Calculation calculate(graph);
@@ -252,34 +255,24 @@ std::string add_mix(Graph& graph, const std::string& id, const std::string& fact
 
 /// The colour of a rough table at the roughness; `smooth` is a socket, or empty for black.
 std::string add_roughened(Graph& graph, const Context& context, const TableInfo& table,
-                          const std::string& smooth)
+                          const std::string& smooth, const std::string& level)
 {
-    const std::string at = add_slice_positions(graph, context, table);
-    const std::string low = table.name + "_low", high = table.name + "_high";
+    const std::string id = level + table.name;
+    if (!graph.first(id)) return id + "_mixed.Result_Color";
+    const std::string at = add_slice_positions(graph, context, table, level);
+    const std::string low = id + "_low", high = id + "_high";
     add_image(graph, low, table, at + "_low");
     add_image(graph, high, table, at + "_high");
-    const std::string level = level_of(context, table);
     const std::string below =
-        add_mix(graph, table.name + "_below", level + "is_smooth.Value", low + ".Color", smooth);
-    return add_mix(graph, table.name + "_mixed", level + "fraction.Value", below, high + ".Color");
+        add_mix(graph, id + "_below", level + "is_smooth.Value", low + ".Color", smooth);
+    return add_mix(graph, id + "_mixed", level + "fraction.Value", below, high + ".Color");
 }
 
-/// The colour of one quantity and substrate, `R` or `R_bare`, at the roughness.
-std::string at_roughness(Graph& graph, const Context& context, const std::string& quantity,
-                         const std::string& suffix)
+/// What leaves after two and more bounces.
+std::string add_further(Graph& graph, const Context& context, const TableInfo& table)
 {
-    const std::string smooth = quantity + suffix + ".Color";
-    const TableInfo* rough = find_table(context, quantity + "_rough" + suffix);
-    return rough ? add_roughened(graph, context, *rough, smooth) : smooth;
-}
-
-/// Output socket with the colour of R or T, faded to the bare substrate by the coverage.
-std::string faded(Graph& graph, const Context& context, const std::string& name)
-{
-    std::string film = at_roughness(graph, context, name, "");
-    if (!has_bare(context, name)) return film;
-    return add_mix(graph, name + "_faded", "input.coverage",
-                   at_roughness(graph, context, name, "_bare"), film);
+    return add_roughened(graph, context, table, "",
+                         context.source->surface.anisotropy ? kOverall : kSeen);
 }
 
 /// A vector operation on colours; operands are sockets, or none where `values` has them.
@@ -291,6 +284,31 @@ std::string add_colour_math(Graph& graph, const std::string& id, const char* ope
     if (!a.empty()) graph.link(a, id + ".0");
     if (!b.empty()) graph.link(b, id + ".1");
     return id + ".Vector";
+}
+
+/// The colour of one quantity and substrate, `R` or `R_bare`, at the roughness.
+std::string at_roughness(Graph& graph, const Context& context, const std::string& quantity,
+                         const std::string& suffix)
+{
+    const std::string smooth = quantity + suffix + ".Color";
+    const TableInfo* rough = find_table(context, quantity + "_rough" + suffix);
+    if (!rough) return smooth;
+    const std::string mean = add_roughened(graph, context, *rough, smooth, kSeen);
+    const TableInfo* further = find_table(context, quantity + "_further" + suffix);
+    if (!further || !context.source->surface.anisotropy) return mean;
+    const std::string once = add_colour_math(graph, "once" + suffix, "SUBTRACT", mean,
+                                             add_roughened(graph, context, *further, "", kSeen));
+    return add_colour_math(graph, "all_bounces" + suffix, "ADD", once,
+                           add_further(graph, context, *further));
+}
+
+/// Output socket with the colour of R or T, faded to the bare substrate by the coverage.
+std::string faded(Graph& graph, const Context& context, const std::string& name)
+{
+    std::string film = at_roughness(graph, context, name, "");
+    if (!has_bare(context, name)) return film;
+    return add_mix(graph, name + "_faded", "input.coverage",
+                   at_roughness(graph, context, name, "_bare"), film);
 }
 
 /// T · base · T_inner / (1 − base · R_inner), as nacre_base_colour() has it.
@@ -409,7 +427,7 @@ void add_colours(Graph& graph, const Context& context)
                 feed(id + ".Color", id);
             }
         } else if (table.name.starts_with("R_further")) {
-            feed(add_roughened(graph, context, table, ""), table.name);
+            feed(add_further(graph, context, table), table.name);
         } else if (table.slices == 1) {
             const bool bare = table.name.ends_with("_bare");
             const std::string quantity =

@@ -103,15 +103,18 @@ std::string look_up(const TableInfo& table, std::string_view name, std::string_v
         table.name, name, x, row_of(table), table.x.texels, table.y.texels);
 }
 
-/// Statements that mix slices of roughness over the smooth colour in the variable `name`.
-std::string roughen(const TableInfo& rough, std::string_view name,
-                    std::string_view level = "nacre_level(facets.seen)")
+/// A rough table's colour over `smooth`, the expression of the colour at roughness 0. Means over
+/// facets depend on the view, further bounces on the surface; see nacre_facets.
+enum class Facets { seen, overall };
+
+std::string rough_colour(const TableInfo& rough, std::string_view smooth, Facets facets)
 {
+    const bool seen = facets == Facets::seen;
     return fmt::format(
-        "    if (table_{0} != \"\")\n"
-        "        {1} = nacre_rough_table(table_{0}, {1}, {5}, x, {2},\n"
-        "                                {3}.0, {4}.0, table_origin_top);\n",
-        rough.name, name, row_of(rough), rough.x.texels / rough.slices, rough.y.texels, level);
+        "nacre_rough_table(table_{0}, {1}, nacre_level(facets.{2}), {3}, {4},\n"
+        "                                {5}.0, {6}.0, table_origin_top)",
+        rough.name, smooth, seen ? "seen" : "overall", seen ? "facets.seen_cosine" : "x",
+        row_of(rough), rough.x.texels / rough.slices, rough.y.texels);
 }
 
 /// `color NAME = …;` of one quantity and substrate, with or without film.
@@ -121,9 +124,17 @@ std::string colour_of(const Context& context, const std::string& quantity,
     const std::string name = quantity + suffix;
     std::string result =
         fmt::format("    color {} = {};\n", name, look_up(*find_table(context, name), name));
-    if (const TableInfo* rough = find_table(context, quantity + "_rough" + suffix))
-        result += roughen(*rough, name);
-    return result;
+    const TableInfo* rough = find_table(context, quantity + "_rough" + suffix);
+    if (!rough) return result;
+    result += fmt::format("    if (table_{} != \"\")\n        {} = {};\n", rough->name, name,
+                          rough_colour(*rough, name, Facets::seen));
+    const TableInfo* further = find_table(context, quantity + "_further" + suffix);
+    if (!further || !context.source->surface.anisotropy) return result;
+    constexpr std::string_view kBlack = "color(0.0)";
+    return result + fmt::format("    if (table_{} != \"\")\n        {} += {} -\n             {};\n",
+                                further->name, name,
+                                rough_colour(*further, kBlack, Facets::overall),
+                                rough_colour(*further, kBlack, Facets::seen));
 }
 
 /// Statement that fades the colour NAME to NAME_bare by the coverage.
@@ -148,8 +159,8 @@ std::string further_colour(const Context& context)
         const TableInfo* table = find_table(context, "R_further" + suffix);
         if (!table) continue;
         const std::string name = "R_further" + suffix;
-        result += fmt::format("    color {0} = table_{0} == \"\" ? {0}_in : color(0.0);\n", name) +
-                  roughen(*table, name, "nacre_level(facets.overall)");
+        result += fmt::format("    color {0} = table_{0} == \"\" ? {0}_in :\n        {1};\n", name,
+                              rough_colour(*table, "color(0.0)", Facets::overall));
     }
     if (find_table(context, "R_further_bare")) result += fade("R_further");
     return result;
@@ -233,11 +244,11 @@ std::string film_body(const Context& context)
     if (axis.texels > 1)
         body += fmt::format("    float y = ({} - {}) / {};\n", axis.name, literal(axis.min),
                             literal(axis.max - axis.min));
-    body +=
-        context.source->surface.anisotropy
-            ? "    nacre_facets facets = nacre_brushed_facets(surface_normal, tangent, roughness,\n"
-              "                                               anisotropy, rotation);\n"
-            : "    nacre_facets facets = nacre_isotropic_facets(roughness);\n";
+    body += context.source->surface.anisotropy
+                ? "    nacre_facets facets = nacre_brushed_facets(surface_normal, tangent, x,\n"
+                  "                                               roughness, anisotropy,\n"
+                  "                                               rotation);\n"
+                : "    nacre_facets facets = nacre_isotropic_facets(x, roughness);\n";
     return body + film_colour(context, "R") + below_the_film(context);
 }
 

@@ -43,27 +43,29 @@ color nacre_rough_table(string file, color smooth, float level, float x, float y
 }
 
 // Facets of a rough surface: GGX alpha along the tangent and across. Two surfaces without a
-// direction stand in for a brushed one, by their roughness: `seen` has facets at the same angles to
-// the viewer, `overall` as many further bounces.
+// direction stand in for a brushed one, by their roughness: `seen` at the cosine of the view
+// `seen_cosine` has facets at the same angles to the viewer, `overall` as many further bounces.
 struct nacre_facets {
     vector tangent;
     float alpha_x, alpha_y;
-    float seen, overall;
+    float seen, seen_cosine;
+    float overall;
 };
 
-nacre_facets nacre_isotropic_facets(float roughness)
+nacre_facets nacre_isotropic_facets(float cosine, float roughness)
 {
     float held = clamp(roughness, 0.0, 1.0);
-    nacre_facets facets = {vector(0.0), held * held, held * held, held, held};
+    nacre_facets facets = {vector(0.0), held * held, held * held, held, cosine, held};
     return facets;
 }
 
 // Anisotropy and rotation are those of the Glossy node. From the side only the slopes along the
 // line of sight count, from above all alike: alpha^2 seen is their mean where c^4 of the view is 1,
 // and that along the line of sight where it is 0. The fourth power fits light that walks among
-// facets.
-nacre_facets nacre_brushed_facets(normal n, vector tangent, float roughness, float anisotropy,
-                                  float rotation)
+// facets. Slopes p, q turn a facet by 1 / sqrt(1 + p^2 + q^2), whatever their direction: what the
+// stand-in lacks of that is put into the cosine of its view.
+nacre_facets nacre_brushed_facets(normal n, vector tangent, float cosine, float roughness,
+                                  float anisotropy, float rotation)
 {
     float held = clamp(roughness, 0.0, 1.0);
     float along = 1.0 - clamp(anisotropy, 0.0, 0.99), across = 1.0 + clamp(anisotropy, -0.99, 0.0);
@@ -71,12 +73,17 @@ nacre_facets nacre_brushed_facets(normal n, vector tangent, float roughness, flo
     float alpha_y = min(1.0, held * held * across / along);
     vector turned = rotate(tangent, rotation * M_2PI, point(0.0), point(n));
     vector x = normalize(turned - n * dot(n, turned));
-    float c = dot(n, I), t = dot(x, I);
+    float t = dot(x, I), cc = cosine * cosine;
     float squared_x = alpha_x * alpha_x, squared_y = alpha_y * alpha_y;
-    float mean = 0.5 * (squared_x + squared_y), cc = c * c;
+    float mean = 0.5 * (squared_x + squared_y);
     float in_plane = squared_y * (1.0 - cc) + (squared_x - squared_y) * t * t;
     float squared = max(0.0, mean * cc * cc + in_plane * (1.0 + cc));
-    nacre_facets facets = {turned, alpha_x, alpha_y, min(1.0, pow(squared, 0.25)),
+    float tilt = (2.0 + squared) / (2.0 + mean);
+    nacre_facets facets = {turned,
+                           alpha_x,
+                           alpha_y,
+                           min(1.0, pow(squared, 0.25)),
+                           min(1.0, cosine * tilt),
                            min(1.0, pow(mean, 0.25))};
     return facets;
 }
