@@ -290,10 +290,10 @@ std::string add_colour_math(Graph& graph, const std::string& id, const char* ope
 std::string at_roughness(Graph& graph, const Context& context, const std::string& quantity,
                          const std::string& suffix)
 {
-    const std::string smooth = quantity + suffix + ".Color";
+    std::string smooth = quantity + suffix + ".Color";
     const TableInfo* rough = find_table(context, quantity + "_rough" + suffix);
     if (!rough) return smooth;
-    const std::string mean = add_roughened(graph, context, *rough, smooth, kSeen);
+    std::string mean = add_roughened(graph, context, *rough, smooth, kSeen);
     const TableInfo* further = find_table(context, quantity + "_further" + suffix);
     if (!further || !context.source->surface.anisotropy) return mean;
     const std::string once = add_colour_math(graph, "once" + suffix, "SUBTRACT", mean,
