@@ -13,7 +13,7 @@ from ..core.manifest import CompiledMaterial
 from ..nodes import scene as scene_setup
 from ..nodes.material import create_material
 from ..properties import FORMS
-from .guard import reports_errors
+from .guard import must_be_local, reports_errors
 
 # Blender keeps no reference to the texts of a computed list of items.
 _items: list[tuple[str, str, str, str, int]] = []
@@ -60,8 +60,7 @@ class NACRE_OT_assign_material(bpy.types.Operator):
             cls.poll_message_set("Select an object that can have a material")
         else:
             library = linked.library or linked.data.library
-            source = library.name if library else "another file"
-            cls.poll_message_set(f"{linked.name} is linked from {source}: make it local first")
+            cls.poll_message_set(must_be_local(linked.name, library))
         return False
 
     def invoke(self, context, _event):

@@ -31,11 +31,15 @@ _EXPECTED = (
 )
 
 
+def must_be_local(name: str, library: bpy.types.Library | None) -> str:
+    source = library.name if library else "another file"
+    return f"{name} is linked from {source}: make it local first"
+
+
 def allows_change(operator: type[bpy.types.Operator], material: bpy.types.Material) -> bool:
     """For `poll`: whether a wave material may be changed; if not, the operator says why."""
     if not material.is_editable:
-        source = material.library.name if material.library else "another file"
-        operator.poll_message_set(f"The material is linked from {source}: make it local first")
+        operator.poll_message_set(must_be_local("The material", material.library))
         return False
     if not belongs_here(material):
         source = material.override_library.reference.library.name
