@@ -222,6 +222,16 @@ ExportedMaterial one_material(std::vector<ExportedMaterial> materials)
     return std::move(materials.front());
 }
 
+void for_each_material(const Session& session, const std::vector<ExportedMaterial>& materials,
+                       const std::function<void(const ExportedMaterial&)>& act)
+{
+    Progress progress(session);
+    for (std::size_t i = 0; i < materials.size(); ++i) {
+        progress.show(static_cast<double>(i) / static_cast<double>(materials.size()));
+        act(materials[i]);
+    }
+}
+
 std::complex<double> index_at(const lut::IndexOnGrid& medium, double wavelength_nm)
 {
     const double place = wavelength_nm - spectral::kFirstNm;

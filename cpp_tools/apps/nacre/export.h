@@ -4,6 +4,7 @@
 
 #include <complex>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -60,6 +61,10 @@ struct ExportedMaterial {
 
 /// The only one, for formats whose file holds one. @throws InputError where there are more
 [[nodiscard]] ExportedMaterial one_material(std::vector<ExportedMaterial> materials);
+
+/// One after the other, with the run's progress.
+void for_each_material(const Session& session, const std::vector<ExportedMaterial>& materials,
+                       const std::function<void(const ExportedMaterial&)>& act);
 
 /// n + ik of a medium on the 1 nm grid at a wavelength, linear in between.
 [[nodiscard]] std::complex<double> index_at(const lut::IndexOnGrid& medium, double wavelength_nm);

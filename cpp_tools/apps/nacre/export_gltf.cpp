@@ -251,7 +251,7 @@ int export_gltf(const Session& session, const GltfOptions& options)
     ordered_json list = ordered_json::array(), summary = ordered_json::array();
     std::vector<std::string> lines;
     bool textured = false;
-    for (const ExportedMaterial& material : materials) {
+    for_each_material(session, materials, [&](const ExportedMaterial& material) {
         const Fitted fitted = fit(material, options.range);
         textured = textured || fitted.values.size() > 1;
         list.push_back(gltf_material(material, fitted, table.provenance));
@@ -263,7 +263,7 @@ int export_gltf(const Session& session, const GltfOptions& options)
             line += fmt::format("; mean {:.2f}, max {:.2f} in transmission",
                                 fitted.transmittance.mean, fitted.transmittance.max);
         lines.push_back(std::move(line));
-    }
+    });
     OutputFiles files;
     files.add(options.output,
               gltf_document(list, textured ? thickness_ramp() : std::string(), container));

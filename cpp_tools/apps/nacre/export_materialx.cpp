@@ -17,9 +17,9 @@
 #include "nacre/optics/rgb_film.h"
 #include "output.h"
 #include "session.h"
-#include "signals.h"
 #include "stack_input.h"
 #include "table_image.h"
+#include "xml_text.h"
 
 namespace nacre::tool {
 namespace {
@@ -371,13 +371,10 @@ int export_materialx(const Session& session, const ExportOptions& options)
     document.root = document.xml.append_child("materialx");
     document.root.append_attribute("version") = "1.39";
     document.root.append_attribute("doc") = fmt::format("Nacre {}", version()).c_str();
-    Progress progress(session);
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        progress.show(static_cast<double>(i) / static_cast<double>(materials.size()));
-        add_material(document, materials[i], table.provenance);
-        check_interrupted();
-    }
-    document.files.add(output, materialx_text(document.xml));
+    for_each_material(session, materials, [&](const ExportedMaterial& material) {
+        add_material(document, material, table.provenance);
+    });
+    document.files.add(output, xml_text(document.xml));
     document.files.write();
     print_summary(session, document.summary, document.lines);
     return kExitOk;

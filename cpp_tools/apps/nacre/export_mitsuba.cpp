@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <memory>
-#include <sstream>
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -19,7 +18,7 @@
 #include "nacre/pipeline/preview.h"
 #include "output.h"
 #include "session.h"
-#include "signals.h"
+#include "xml_text.h"
 
 namespace nacre::tool {
 namespace {
@@ -286,13 +285,6 @@ void add_material(Scene& scene, const ExportedMaterial& material, const Resolved
     scene.summary.push_back(std::move(summary));
 }
 
-std::string scene_text(const pugi::xml_document& xml)
-{
-    std::ostringstream text;
-    xml.save(text, "  ", pugi::format_indent, pugi::encoding_utf8);
-    return text.str();
-}
-
 int export_mitsuba(const Session& session, const ExportOptions& options)
 {
     const fs::path output = options.output;
@@ -306,16 +298,13 @@ int export_mitsuba(const Session& session, const ExportOptions& options)
     scene.folder = output.parent_path();
     scene.root = scene.xml.append_child("scene");
     scene.root.append_attribute("version") = "3.0.0";
-    Progress progress(session);
-    for (std::size_t i = 0; i < materials.size(); ++i) {
-        progress.show(static_cast<double>(i) / static_cast<double>(materials.size()));
-        add_material(scene, materials[i], table);
-        check_interrupted();
-    }
+    for_each_material(session, materials, [&](const ExportedMaterial& material) {
+        add_material(scene, material, table);
+    });
     if (scene.needs_plugin)
         scene.add_file(kPlugin,
                        std::string(find_resource(std::string("mitsuba/") + kPlugin).value()));
-    scene.files.add(output, scene_text(scene.xml));
+    scene.files.add(output, xml_text(scene.xml));
     scene.files.write();
     print_summary(session, scene.summary, scene.lines);
     return kExitOk;

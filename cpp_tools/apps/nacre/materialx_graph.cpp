@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "materialx_graph.h"
 
-#include <sstream>
-
 #include <fmt/format.h>
 
 namespace nacre::tool {
@@ -119,13 +117,6 @@ void MaterialXGraph::output(const char* shader)
     out.append_attribute("name") = "out";
     out.append_attribute("type") = "surfaceshader";
     out.append_attribute("nodename") = shader;
-}
-
-std::string materialx_text(const pugi::xml_document& document)
-{
-    std::ostringstream text;
-    document.save(text, "  ", pugi::format_indent, pugi::encoding_utf8);
-    return text.str();
 }
 
 }  // namespace nacre::tool

@@ -56,6 +56,4 @@ private:
     pugi::xml_node graph_;
 };
 
-[[nodiscard]] std::string materialx_text(const pugi::xml_document& document);
-
 }  // namespace nacre::tool
