@@ -5,22 +5,12 @@
 from __future__ import annotations
 
 import bpy
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 extension = load()
 extension.register()
 materials = module("nodes.material")
 groups = module("nodes.group")
-
-
-def refused(call, message: str) -> None:
-    try:
-        call()
-    except RuntimeError as error:  # how an ERROR report of a cancelled operator reaches a script
-        said = str(error)
-    else:
-        said = "nothing"
-    assert message in said, said
 
 
 # Under EEVEE the automatic form is nodes, and the engine stays.

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file
+from support import load, module, new_file, refused
 
 folder = Path(sys.argv[2])
 locked = folder / "locked"
@@ -17,16 +17,6 @@ locked.mkdir()
 locked.chmod(0o555)
 if os.access(locked, os.W_OK):  # the superuser; the kernel's own folder takes nobody's files
     locked = Path("/proc")
-
-
-def refused(call, *messages: str) -> None:
-    try:
-        call()
-    except (RuntimeError, OSError) as error:
-        said = str(error)
-    else:
-        said = "nothing"
-    assert any(message in said for message in messages), said
 
 
 def names(where: Path) -> set[str]:
