@@ -142,7 +142,7 @@ BRUSHED_NM = 35.0
 ANISOTROPY = 0.6
 # Largest mean of ΔE00, fast and exact. Surfaces without a direction stand in for brushed ones where
 # means over facets and further bounces are looked up, which is worse the rougher they are.
-BRUSHED_LIMITS = {0.2: (0.2, 0.2), 0.35: (0.5, 0.3), 0.5: (0.9, 0.7)}
+BRUSHED_LIMITS = {0.2: (0.15, 0.1), 0.35: (0.4, 0.15), 0.5: (0.6, 0.3)}
 
 
 @lru_cache

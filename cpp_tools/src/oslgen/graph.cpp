@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <variant>
 #include <vector>
 
+#include "brushed_nodes.h"
 #include "graph_builder.h"
 #include "shader_text.h"
 
@@ -103,66 +103,6 @@ void add_tables(Graph& graph, const Context& context)
     }
 }
 
-/// cos² of the view and the tangent along which a brushed surface is drawn out.
-std::string add_along_tangent(Graph& graph, Calculation& calculate)
-{
-    graph.node("turned", "ShaderNodeVectorRotate", {{"rotation_type", "AXIS_ANGLE"}});
-    graph.link("input.tangent", "turned.Vector");
-    graph.link("input.normal", "turned.Axis");
-    graph.link(calculate.number("turn", "MULTIPLY", {"input.rotation", 2.0 * std::numbers::pi}),
-               "turned.Angle");
-    const std::string across =
-        calculate.vector("normal_by_tangent", "CROSS_PRODUCT", {"input.normal", "turned.Vector"});
-    const std::string bitangent = calculate.vector("bitangent", "NORMALIZE", {across});
-    const std::string x =
-        calculate.vector("tangent_x", "CROSS_PRODUCT", {bitangent, "input.normal"});
-    calculate.vector("along_tangent", "DOT_PRODUCT", {x, "geometry.Incoming"});
-    return calculate.number("along_squared", "MULTIPLY",
-                            {"along_tangent.Value", "along_tangent.Value"});
-}
-
-/// Nodes `seen`, `cos_seen` and `overall`: roughness and view of the surfaces without a direction
-/// that stand in for a brushed one, as nacre_brushed_facets() has them.
-void add_brush(Graph& graph)
-{
-    Calculation calculate(graph);
-    const auto math = [&calculate](const std::string& id, const char* operation,
-                                   const std::vector<Json>& operands, bool clamped = false) {
-        return calculate.number(id, operation, operands, clamped);
-    };
-    const std::string rough = math("rough_held", "ADD", {"input.roughness", 0.0}, true);
-    const std::string alpha = math("alpha", "MULTIPLY", {rough, rough});
-    const std::string above = math("above_0", "MAXIMUM", {"input.anisotropy", 0.0});
-    const std::string below = math("below_0", "MINIMUM", {"input.anisotropy", 0.0});
-    const std::string along = math("along", "SUBTRACT", {1.0, above});
-    const std::string across = math("across", "ADD", {1.0, below});
-    const std::string stretch = math("stretch", "DIVIDE", {along, across});
-    const std::string x = math("alpha_x", "MULTIPLY", {alpha, stretch}, true);
-    const std::string y = math("alpha_y", "DIVIDE", {alpha, stretch}, true);
-    const std::string xx = math("alpha_xx", "MULTIPLY", {x, x});
-    const std::string yy = math("alpha_yy", "MULTIPLY", {y, y});
-
-    const std::string tt = add_along_tangent(graph, calculate);
-    const std::string cc = math("cos_cos", "MULTIPLY", {"cos.Value", "cos.Value"});
-    const std::string sum = math("alpha_sum", "ADD", {xx, yy});
-    const std::string mean = math("alpha_mean", "MULTIPLY", {sum, 0.5});
-    const std::string gap = math("alpha_gap", "SUBTRACT", {xx, yy});
-    const std::string sine = math("sin_sin", "SUBTRACT", {1.0, cc});
-    const std::string from_side = math("from_side", "MULTIPLY", {yy, sine});
-    const std::string in_plane = math("in_plane", "MULTIPLY_ADD", {gap, tt, from_side});
-    const std::string weight = math("from_side_weight", "ADD", {1.0, cc});
-    const std::string quartic = math("cos_quartic", "MULTIPLY", {cc, cc});
-    const std::string from_above = math("from_above", "MULTIPLY", {mean, quartic});
-    const std::string squared = math("seen_sum", "MULTIPLY_ADD", {in_plane, weight, from_above});
-    const std::string positive = math("seen_squared", "MAXIMUM", {squared, 0.0});
-    math("seen", "POWER", {positive, 0.25}, true);
-    const std::string slopes = math("seen_slopes", "ADD", {2.0, positive});
-    const std::string all_slopes = math("mean_slopes", "ADD", {2.0, mean});
-    const std::string tilt = math("tilt", "DIVIDE", {slopes, all_slopes});
-    math("cos_seen", "MULTIPLY", {"cos.Value", tilt}, true);
-    math("overall", "POWER", {mean, 0.25}, true);
-}
-
 /// Node `fraction`, the share of the slice above `floor` in what is read at `level`, as
 /// nacre_slice_share() has it.
 void add_slice_share(Calculation& calculate, const std::string& prefix, const std::string& level,
@@ -203,15 +143,14 @@ void add_level(Graph& graph, const std::string& prefix, const std::string& rough
     math("high", "MINIMUM", {upper, 1.0 - 1.0 / n});
 }
 
-/// Prefixes of the nodes of the roughness at which a brushed surface's tables are read: means over
-/// facets depend on the view, further bounces on the surface.
-constexpr const char *kSeen = "", *kOverall = "overall_";
+/// Prefixes of the nodes of the roughness at which a brushed surface's tables are read.
+constexpr const char *kSeen = "", *kFurther = "further_";
 
 std::string roughness_of(Graph& graph, const Context& context, const std::string& level)
 {
     if (!context.source->surface.anisotropy) return "input.roughness";
-    if (graph.first("seen")) add_brush(graph);
-    return level.empty() ? "seen.Value" : "overall.Value";
+    if (graph.first("seen")) add_brushed_facets(graph);
+    return level.empty() ? "seen.Value" : "further.Value";
 }
 
 /// Positions `<id>_low` and `<id>_high` in a rough table.
@@ -224,9 +163,9 @@ std::string add_slice_positions(Graph& graph, const Context& context, const Tabl
         add_level(graph, level, roughness_of(graph, context, level), table.slices);
     const double columns = table.x.texels, width = columns / table.slices;
     const bool brushed = context.source->surface.anisotropy.has_value();
-    const std::string cosine = context.solid_index         ? "cos_ambient.Result_Float"
-                               : brushed && level == kSeen ? "cos_seen.Value"
-                                                           : "cos.Value";
+    const std::string cosine = context.solid_index ? "cos_ambient.Result_Float"
+                               : brushed           ? "cos_seen.Value"
+                                                   : "cos.Value";
     multiply_add(graph, id + "_in", cosine, (width - 1.0) / columns, 0.5 / columns);
     const std::string row = add_row(graph, table);
     Calculation calculate(graph);
@@ -268,13 +207,6 @@ std::string add_roughened(Graph& graph, const Context& context, const TableInfo&
     return add_mix(graph, id + "_mixed", level + "fraction.Value", below, high + ".Color");
 }
 
-/// What leaves after two and more bounces.
-std::string add_further(Graph& graph, const Context& context, const TableInfo& table)
-{
-    return add_roughened(graph, context, table, "",
-                         context.source->surface.anisotropy ? kOverall : kSeen);
-}
-
 /// A vector operation on colours; operands are sockets, or none where `values` has them.
 std::string add_colour_math(Graph& graph, const std::string& id, const char* operation,
                             const std::string& a, const std::string& b,
@@ -284,6 +216,17 @@ std::string add_colour_math(Graph& graph, const std::string& id, const char* ope
     if (!a.empty()) graph.link(a, id + ".0");
     if (!b.empty()) graph.link(b, id + ".1");
     return id + ".Vector";
+}
+
+/// What leaves after two and more bounces.
+std::string add_further(Graph& graph, const Context& context, const TableInfo& table)
+{
+    if (!context.source->surface.anisotropy) return add_roughened(graph, context, table, "", kSeen);
+    const std::string id = table.name + "_scaled";
+    if (!graph.first(id)) return id + ".Vector";
+    const std::string colour = add_roughened(graph, context, table, "", kFurther);
+    graph.link("further_scale.Value", id + ".Scale");
+    return add_colour_math(graph, id, "SCALE", colour, "");
 }
 
 /// The colour of one quantity and substrate, `R` or `R_bare`, at the roughness.

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "nacre/oslgen/literals.h"
+#include "nacre/oslgen/lost_light.h"
 
 namespace nacre::oslgen {
 namespace {
@@ -103,17 +104,17 @@ std::string look_up(const TableInfo& table, std::string_view name, std::string_v
         table.name, name, x, row_of(table), table.x.texels, table.y.texels);
 }
 
-/// A rough table's colour over `smooth`, the expression of the colour at roughness 0. Means over
-/// facets depend on the view, further bounces on the surface; see nacre_facets.
-enum class Facets { seen, overall };
+/// A rough table's colour over `smooth`, the expression of the colour at roughness 0. Of brushed
+/// surfaces further bounces are looked up apart; see nacre_facets.
+enum class Facets { seen, further };
 
 std::string rough_colour(const TableInfo& rough, std::string_view smooth, Facets facets)
 {
-    const bool seen = facets == Facets::seen;
+    const bool apart = facets == Facets::further;
     return fmt::format(
-        "nacre_rough_table(table_{0}, {1}, nacre_level(facets.{2}), {3}, {4},\n"
-        "                                {5}.0, {6}.0, table_origin_top)",
-        rough.name, smooth, seen ? "seen" : "overall", seen ? "facets.seen_cosine" : "x",
+        "{0}nacre_rough_table(table_{1}, {2}, nacre_level(facets.{3}),\n"
+        "                                facets.seen_cosine, {4}, {5}.0, {6}.0, table_origin_top)",
+        apart ? "facets.further_scale * " : "", rough.name, smooth, apart ? "further" : "seen",
         row_of(rough), rough.x.texels / rough.slices, rough.y.texels);
 }
 
@@ -133,7 +134,7 @@ std::string colour_of(const Context& context, const std::string& quantity,
     constexpr std::string_view kBlack = "color(0.0)";
     return result + fmt::format("    if (table_{} != \"\")\n        {} += {} -\n             {};\n",
                                 further->name, name,
-                                rough_colour(*further, kBlack, Facets::overall),
+                                rough_colour(*further, kBlack, Facets::further),
                                 rough_colour(*further, kBlack, Facets::seen));
 }
 
@@ -154,13 +155,14 @@ std::string film_colour(const Context& context, const std::string& name)
 /// What leaves a rough surface after two and more bounces.
 std::string further_colour(const Context& context)
 {
+    const Facets facets = context.source->surface.anisotropy ? Facets::further : Facets::seen;
     std::string result;
     for (const std::string suffix : {"", "_bare"}) {
         const TableInfo* table = find_table(context, "R_further" + suffix);
         if (!table) continue;
         const std::string name = "R_further" + suffix;
         result += fmt::format("    color {0} = table_{0} == \"\" ? {0}_in :\n        {1};\n", name,
-                              rough_colour(*table, "color(0.0)", Facets::overall));
+                              rough_colour(*table, "color(0.0)", facets));
     }
     if (find_table(context, "R_further_bare")) result += fade("R_further");
     return result;
@@ -234,6 +236,17 @@ std::string below_the_film(const Context& context)
     return "";
 }
 
+std::string brushed_facets()
+{
+    std::vector<double> lost;
+    for (const auto& row : kLostLight) lost.insert(lost.end(), row.begin(), row.end());
+    return fmt::format(
+        "    float lost[{}] = {};\n"
+        "    nacre_facets facets = nacre_brushed_facets(surface_normal, tangent, x, roughness,\n"
+        "                                               anisotropy, rotation, lost, {}, {});\n",
+        lost.size(), array_literal(lost), literal(kLeastLostAlpha), literal(kLeastLostCosine));
+}
+
 std::string film_body(const Context& context)
 {
     const TableInfo::Axis& axis = find_table(context, "R")->y;
@@ -245,9 +258,7 @@ std::string film_body(const Context& context)
         body += fmt::format("    float y = ({} - {}) / {};\n", axis.name, literal(axis.min),
                             literal(axis.max - axis.min));
     body += context.source->surface.anisotropy
-                ? "    nacre_facets facets = nacre_brushed_facets(surface_normal, tangent, x,\n"
-                  "                                               roughness, anisotropy,\n"
-                  "                                               rotation);\n"
+                ? brushed_facets()
                 : "    nacre_facets facets = nacre_isotropic_facets(x, roughness);\n";
     return body + film_colour(context, "R") + below_the_film(context);
 }
