@@ -43,11 +43,16 @@ _NAME_OF = " · "
 _filling: set[int] = set()  # materials whose properties follow the stored stack
 
 
-def _search_media(_self, _context, typed: str) -> list[str]:
-    """Media of the library with every word that was typed in key or name: `Cu`, `copper`."""
-    words = typed.lower().split()
-    offers = (f"{key}{_NAME_OF}{name}" if name else key for key, name in stacks.media())
-    return [offer for offer in offers if all(word in offer.lower() for word in words)]
+def _media_search(attribute: str):
+    """For `search`: media of the library with every word that was typed in key or name, such as `Cu`
+    or `copper`; all of them as long as the field still holds its value."""
+
+    def offered(self, _context, typed: str) -> list[str]:
+        words = [] if typed == getattr(self, attribute) else typed.lower().split()
+        offers = (f"{key}{_NAME_OF}{name}" if name else key for key, name in stacks.media())
+        return [offer for offer in offers if all(word in offer.lower() for word in words)]
+
+    return offered
 
 
 def _on_edit(self, _context) -> None:
@@ -92,7 +97,7 @@ class NACRE_PG_layer(bpy.types.PropertyGroup):
         name="Medium",
         description="A key of the library such as TiO2/Sarkar, an index such as 1.5 or 2.1+0.05i, "
         "or cauchy 1.54 0.004",
-        search=_search_media,
+        search=_media_search("medium"),
         search_options={"SUGGESTION"},
         update=_medium_edit("medium"),
     )
@@ -120,7 +125,7 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
     ambient: StringProperty(
         name="Ambient",
         description="What lies over the film",
-        search=_search_media,
+        search=_media_search("ambient"),
         search_options={"SUGGESTION"},
         update=_medium_edit("ambient"),
     )
@@ -129,7 +134,7 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
     substrate: StringProperty(
         name="Substrate",
         description="What the film lies on",
-        search=_search_media,
+        search=_media_search("substrate"),
         search_options={"SUGGESTION"},
         update=_medium_edit("substrate"),
     )

@@ -106,7 +106,7 @@ def _draw_form(layout, node) -> None:
     form = tree.get(groups.FORM)
     row = layout.row(align=True)
     names = {OSL: "Open Shading Language", NODES: "Nodes"}
-    row.label(text=f"{tree.name}, as {names.get(form, form)}", icon="NODETREE")
+    row.label(text=f"{node.label or tree.name}, as {names.get(form, form)}", icon="NODETREE")
     if form == NODES and scene_setup.has_osl():
         row.operator("nacre.rebuild_material", text="Use OSL").form = OSL
     elif form == OSL and not tree.get(groups.WAVELENGTHS, False):

@@ -28,9 +28,13 @@ class NACRE_preferences(bpy.types.AddonPreferences):
             )
         layout.label(text=f"{len(library.entries())} materials in {library.root}", icon="MATERIAL")
         row = layout.row()
-        row.operator("nacre.add_asset_library", icon="ASSET_MANAGER")
         if assets.is_built(assets.default_folder()):
+            row.operator(
+                "nacre.add_asset_library", text="Rebuild Asset Library", icon="FILE_REFRESH"
+            )
             row.operator("nacre.remove_asset_library", icon="X")
+        else:
+            row.operator("nacre.add_asset_library", icon="ASSET_MANAGER")
         for category, entries in groupby(library.entries().values(), key=lambda e: e.category):
             names = ", ".join(entry.name for entry in entries)
             split = layout.split(factor=0.25)

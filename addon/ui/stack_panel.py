@@ -18,11 +18,10 @@ class NACRE_UL_layers(bpy.types.UIList):
         row.label(text=item.medium)
         sub = row.row(align=True)
         sub.ui_units_x = 3.2
-        if index == data.varying:
-            sub.label(text="varies")
-        else:
-            sub.prop(item, "thickness_nm", text="", emboss=False)
-        icon = "DECORATE_DRIVER" if index == data.varying else "DECORATE"
+        # A label, as a number field that is too narrow leaves the last digits out.
+        varies = index == data.varying
+        sub.label(text="varies" if varies else f"{item.thickness_nm:.6g}")
+        icon = "DECORATE_DRIVER" if varies else "DECORATE"
         row.operator("nacre.vary_layer", text="", icon=icon, emboss=False).index = index
         row.prop(
             item, "coherent", text="", emboss=False, icon="MOD_WAVE" if item.coherent else "REMOVE"

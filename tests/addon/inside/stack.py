@@ -123,11 +123,14 @@ shown.substrate = "Ag/Johnson"
 assert live.problem(material) == ""
 
 # The search offers media by key and by name; what is chosen becomes the key.
-search = module("properties")._search_media
-assert "Cu/Johnson · Copper" in search(None, None, "copper")
-assert "Cu/Johnson · Copper" in search(None, None, "cu john")
-assert search(None, None, "copper unobtainium") == []
-assert "air" in search(None, None, "")
+search = module("properties")._media_search("substrate")
+assert "Cu/Johnson · Copper" in search(shown, None, "copper")
+assert "Cu/Johnson · Copper" in search(shown, None, "cu john")
+assert search(shown, None, "copper unobtainium") == []
+everything = search(shown, None, "")
+assert "air" in everything
+# A field that was opened and not typed in yet hands over what it holds.
+assert search(shown, None, shown.substrate) == everything
 shown.substrate = "Cu/Johnson · Copper"
 assert shown.substrate == "Cu/Johnson"
 assert stack.stack_of(material).substrate == "Cu/Johnson"

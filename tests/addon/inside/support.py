@@ -35,7 +35,7 @@ def refused(call, *messages: str) -> None:
     """Holds that an operator, or a function that touches files, fails with one of these in its words."""
     try:
         call()
-    except (RuntimeError, OSError) as error:  # an operator's ERROR report is a RuntimeError in scripts
+    except (RuntimeError, OSError) as error:  # an ERROR report is a RuntimeError
         said = str(error)
     else:
         said = "nothing"
