@@ -256,6 +256,32 @@ def test_mean_weight_of_all_cells_is_white(blender):
     np.testing.assert_allclose(got, [[1, 1, 1], [0, 0, 0], [1, 1, 1]], atol=2e-6)
 
 
+def test_wavelengths_at_different_depths_are_independent(blender):
+    """White through two and three surfaces stays white: the mean product of their weights is 1."""
+    body = """
+    float edges[NACRE_EDGES] = NACRE_WAVELENGTH_EDGES;
+    color weight[NACRE_CELLS] = NACRE_WAVELENGTH_WEIGHT;
+    int numbers = 65536;
+    for (int j = 0; j < numbers; j++) {
+        float u = (j + 0.5) / numbers;
+        nacre_wavelength bent = nacre_draw_wavelength(edges, weight, u);
+        nacre_wavelength seen =
+            nacre_draw_wavelength(edges, weight, nacre_second_random(u, NACRE_CELLS));
+        nacre_wavelength first = nacre_draw_wavelength(edges, weight, nacre_later_random(u, 1));
+        nacre_wavelength second = nacre_draw_wavelength(edges, weight, nacre_later_random(u, 2));
+        if (i == 0) value += first.weight;
+        else if (i == 1) value += bent.weight * first.weight;
+        else if (i == 2) value += bent.weight * second.weight;
+        else if (i == 3) value += seen.weight * first.weight;
+        else if (i == 4) value += first.weight * second.weight;
+        else value += bent.weight * first.weight * second.weight;
+    }
+    value /= numbers;"""
+    got = blender.values(["nacre_colour_tables.h", "nacre_wavelength.h"], body, 6)
+    np.testing.assert_allclose(got[:5], 1.0, atol=1e-3)
+    np.testing.assert_allclose(got[5], 1.0, atol=3e-3)
+
+
 def test_table_holds_the_ends_of_its_axes_at_the_edges(blender):
     """Both corners of the diagonal, the middle, and values beyond the axes; row 0 is y = 0."""
     x, y = np.meshgrid(np.linspace(0, 1, 5), np.linspace(0, 1, 3))
