@@ -6,6 +6,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -24,13 +25,23 @@ std::size_t half_steps(int texels)
     return static_cast<std::size_t>(2 * texels - 1);
 }
 
-/// The texels of both quantities as they are stored, and how far off they are in between.
+/// How far off a table is between its texels.
+struct TableErrors {
+    ErrorStatistics reflectance{}, transmittance{};
+    double along_angle = 0.0, along_variation = 0.0;
+    RowErrors rows;
+
+    [[nodiscard]] double largest(bool with_transmittance) const
+    {
+        return with_transmittance ? std::max(reflectance.max, transmittance.max) : reflectance.max;
+    }
+};
+
+/// The texels of both quantities as they are stored.
 struct Baked {
     TableSize size;
     std::vector<float> reflectance, transmittance;
-    ErrorStatistics reflectance_error, transmittance_error;
-    double along_angle = 0.0, along_variation = 0.0;
-    RowErrors rows;
+    TableErrors errors;
 
     [[nodiscard]] FilmColour texel(std::size_t x, std::size_t y) const
     {
@@ -50,11 +61,6 @@ struct Baked {
             transmittance[at + c] = static_cast<float>(colour.transmittance[c]);
         }
     }
-    [[nodiscard]] double largest(bool with_transmittance) const
-    {
-        return with_transmittance ? std::max(reflectance_error.max, transmittance_error.max)
-                                  : reflectance_error.max;
-    }
 };
 
 FilmColour lerp(const FilmColour& a, const FilmColour& b, double t) noexcept
@@ -71,6 +77,14 @@ FilmColour lerp(const FilmColour& a, const FilmColour& b, double t) noexcept
 struct ProbeErrors {
     ErrorStatistics reflectance, transmittance;
     double along_angle = 0.0, along_variation = 0.0;
+
+    void add_to(TableErrors& all) const
+    {
+        all.reflectance.add(reflectance);
+        all.transmittance.add(transmittance);
+        all.along_angle = std::max(all.along_angle, along_angle);
+        all.along_variation = std::max(all.along_variation, along_variation);
+    }
 };
 
 double probe(ProbeErrors& errors, const Baker& baker, double cos_theta,
@@ -105,7 +119,7 @@ ProbeErrors bake_column(const Baker& baker, Baked& baked, std::size_t x)
         const FilmColour between = midpoint(baked.texel(x, i / 2), baked.texel(x, i / 2 + 1));
         const double error = probe(errors, baker, cos_theta, between, exact[i]);
         errors.along_variation = std::max(errors.along_variation, error);
-        baked.rows.add(i, cos_theta, error, kTexelWeight);
+        baked.errors.rows.add(i, cos_theta, error, kTexelWeight);
     }
     return errors;
 }
@@ -125,7 +139,7 @@ ProbeErrors check_midway(const Baker& baker, Baked& baked, std::size_t x)
         const FilmColour high = midpoint(baked.texel(x, up), baked.texel(x + 1, up));
         const double error = probe(errors, baker, cos_theta, midpoint(low, high), exact[i]);
         if (i % 2 == 0) errors.along_angle = std::max(errors.along_angle, error);
-        baked.rows.add(i, cos_theta, error, kMidwayWeight);
+        baked.errors.rows.add(i, cos_theta, error, kMidwayWeight);
     }
     return errors;
 }
@@ -176,9 +190,8 @@ Baked bake(Baker& baker, TableSize size)
     Baked baked{.size = size,
                 .reflectance = {},
                 .transmittance = {},
-                .reflectance_error = {},
-                .transmittance_error = {},
-                .rows = RowErrors(half_steps(size.height))};
+                .errors = {.rows = RowErrors(half_steps(size.height),
+                                             kStripWeight * static_cast<double>(width - 1))}};
     baked.reflectance.resize(3 * width * static_cast<std::size_t>(size.height));
     baked.transmittance.resize(baked.reflectance.size());
 
@@ -202,12 +215,7 @@ Baked bake(Baker& baker, TableSize size)
     each(width - 1, width, check_midway);
     each(width - 1, 2 * width - 1, check_elsewhere);
 
-    for (const ProbeErrors& column : errors) {
-        baked.reflectance_error.add(column.reflectance);
-        baked.transmittance_error.add(column.transmittance);
-        baked.along_angle = std::max(baked.along_angle, column.along_angle);
-        baked.along_variation = std::max(baked.along_variation, column.along_variation);
-    }
+    for (const ProbeErrors& column : errors) column.add_to(baked.errors);
     return baked;
 }
 
@@ -216,15 +224,13 @@ Baked bake(Baker& baker, TableSize size)
 constexpr double kMeanShare = 0.09;
 
 /// A larger size for a table some row of which is off by too much on average, or nothing.
-std::optional<TableSize> refined_for_rows(const Baker& baker, const Baked& baked)
+std::optional<TableSize> larger_for_rows(const FilmTableRequest& request, TableSize size,
+                                         const RowErrors& rows)
 {
-    const FilmTableRequest& request = baker.request;
-    const double at_rows = baked.rows.largest(0, baked.size.width);
-    const double between = baked.rows.largest(1, baked.size.width);
+    const double at_rows = rows.largest(0), between = rows.largest(1);
     const double mean = std::max(at_rows, between), allowed = kMeanShare * request.tolerance;
     if (mean <= allowed) return std::nullopt;
 
-    TableSize size = baked.size;
     const bool wider = size.width < request.max_texels;
     const bool higher = size.height >= 2 && size.height < request.max_texels;
     if (!wider && !higher) return std::nullopt;
@@ -235,28 +241,94 @@ std::optional<TableSize> refined_for_rows(const Baker& baker, const Baked& baked
     return size;
 }
 
-/// Bakes at the estimated size and refines the axis that is to blame until every probe is within
-/// the tolerance, and no row is off by more than its share on average.
+/// The next size to try where some probe is over the tolerance, or a row by more than its share on
+/// average: of the axis that is to blame. Nothing if the size will do or cannot grow.
+std::optional<TableSize> larger(const FilmTableRequest& request, TableSize size,
+                                const TableErrors& errors)
+{
+    const double error = errors.largest(request.transmittance);
+    if (error <= request.tolerance) return larger_for_rows(request, size, errors.rows);
+    const bool angle = size.height < 2 || errors.along_angle >= errors.along_variation;
+    int& texels = angle ? size.width : size.height;
+    if (texels == request.max_texels) return std::nullopt;
+    texels = refined(texels, error, request.tolerance, request.max_texels);
+    return size;
+}
+
+/// What bake() finds half-way between columns x and x + 1 and on them.
+ProbeErrors sample_strip(const Baker& baker, TableSize size, std::size_t x, RowErrors& rows)
+{
+    std::array<double, 3> cos_theta{};
+    std::array<std::vector<FilmColour>, 3> exact;  // on column x, half-way, on column x + 1
+    for (std::size_t k = 0; k < 3; ++k) {
+        cos_theta[k] = (static_cast<double>(x) + 0.5 * static_cast<double>(k)) / (size.width - 1);
+        exact[k].resize(half_steps(size.height));
+        baker.column(cos_theta[k])
+            .evaluate(baker.first_value(), half_step(baker, size.height), exact[k]);
+    }
+    ProbeErrors errors;
+    const auto on_column = [&](std::size_t k, std::size_t row) {
+        return midpoint(exact[k][row - row % 2], exact[k][row + row % 2]);
+    };
+    for (std::size_t row = 0; row < exact[1].size(); ++row) {
+        const double midway = probe(errors, baker, cos_theta[1],
+                                    midpoint(on_column(0, row), on_column(2, row)), exact[1][row]);
+        // Both columns count here, with half of their weight each.
+        rows.add(row, cos_theta[1], midway, 2 * kMidwayWeight);
+        if (row % 2 == 0) {
+            errors.along_angle = std::max(errors.along_angle, midway);
+            continue;
+        }
+        for (const std::size_t k : {0, 2}) {
+            const double error =
+                probe(errors, baker, cos_theta[k], on_column(k, row), exact[k][row]);
+            errors.along_variation = std::max(errors.along_variation, error);
+            rows.add(row, cos_theta[k], error, kTexelWeight);
+        }
+    }
+    return errors;
+}
+
+/// What a table of a size would be off by, from some of its strips: for a fraction of the work.
+TableErrors sample_errors(Baker& baker, TableSize size)
+{
+    constexpr std::size_t kFewestStrips = 16, kShare = 8;
+    const auto all = static_cast<std::size_t>(size.width - 1);
+    const std::size_t count = std::min(all, std::max(kFewestStrips, all / kShare));
+    const auto strip = [&](std::size_t i) { return (2 * i + 1) * all / (2 * count); };
+    double weight = 0.0;
+    for (std::size_t i = 0; i < count; ++i)
+        weight +=
+            4.0 * kStripWeight * (static_cast<double>(strip(i)) + 0.5) / static_cast<double>(all);
+
+    TableErrors found{.rows = RowErrors(half_steps(size.height), weight)};
+    std::vector<ProbeErrors> errors(count);
+    baker.progress.stage(0.05, count);
+    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+        errors[i] = sample_strip(baker, size, strip(i), found.rows);
+        baker.progress.step();
+    });
+    for (const ProbeErrors& of_strip : errors) of_strip.add_to(found);
+    return found;
+}
+
+/// Bakes at the estimated size and enlarges it until every probe is within the tolerance, and no
+/// row is off by more than its share on average.
 Baked bake_to_tolerance(Baker& baker)
 {
     const FilmTableRequest& request = baker.request;
     TableSize size = estimate_size(baker);
+    while (const auto next = larger(request, size, sample_errors(baker, size))) size = *next;
     for (;;) {
         Baked baked = bake(baker, size);
-        const double error = baked.largest(request.transmittance);
-        if (error <= request.tolerance) {
-            const std::optional<TableSize> larger = refined_for_rows(baker, baked);
-            if (!larger) return baked;
-            size = *larger;
+        const std::optional<TableSize> next = larger(request, size, baked.errors);
+        if (next) {
+            size = *next;
             continue;
         }
-        const bool angle = size.height < 2 || baked.along_angle >= baked.along_variation;
-        int& texels = angle ? size.width : size.height;
-        if (texels == request.max_texels) {
-            if (request.accept_error) return baked;
-            refuse_tolerance(request, error);
-        }
-        texels = refined(texels, error, request.tolerance, request.max_texels);
+        const double error = baked.errors.largest(request.transmittance);
+        if (error > request.tolerance && !request.accept_error) refuse_tolerance(request, error);
+        return baked;
     }
 }
 
@@ -264,7 +336,7 @@ Table make_table(const Baker& baker, const Baked& baked, bool transmittance)
 {
     const auto& variation = baker.request.variation;
     const ErrorStatistics& error =
-        transmittance ? baked.transmittance_error : baked.reflectance_error;
+        transmittance ? baked.errors.transmittance : baked.errors.reflectance;
     const bool scale = variation && !variation->layer;
     constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
     const bool measured = baker.request.measure_error;

@@ -13,6 +13,8 @@ namespace nacre::lut {
 /// Weights of Simpson's rule over cosθ, whose nodes are the columns of a table and the points
 /// half-way between them. The ends would count half; their error is 0 or does not count.
 inline constexpr std::int64_t kTexelWeight = 1, kMidwayWeight = 2;
+/// Of a strip of a whole table, times its cosθ, which is ½ on average.
+inline constexpr double kStripWeight = 0.5 * (kTexelWeight + kMidwayWeight);
 
 /// The mean error of each row of a table and of each line half-way between two, as seen on a sphere
 /// whose film has one thickness: there the area of the picture goes with cosθ.
@@ -20,7 +22,8 @@ inline constexpr std::int64_t kTexelWeight = 1, kMidwayWeight = 2;
 /// Threads add whole numbers, so that the sums do not depend on their order.
 class RowErrors {
 public:
-    explicit RowErrors(std::size_t half_rows) : sums_(half_rows, 0) {}
+    /// @param weight  what all that is added to a row weighs together, each times its cosθ
+    RowErrors(std::size_t half_rows, double weight) : sums_(half_rows, 0), weight_(weight) {}
 
     void add(std::size_t half_row, double cos_theta, double error, std::int64_t weight)
     {
@@ -30,13 +33,12 @@ public:
                        std::memory_order_relaxed);
     }
 
-    /// Largest mean of half-rows `first`, `first + 2`, …, in a table of `width` columns.
-    [[nodiscard]] double largest(std::size_t first, int width) const
+    /// Largest mean of half-rows `first`, `first + 2`, …
+    [[nodiscard]] double largest(std::size_t first) const
     {
         std::int64_t sum = 0;
         for (std::size_t i = first; i < sums_.size(); i += 2) sum = std::max(sum, sums_[i]);
-        // Σ w over a strip is 3, and the mean of cosθ over cosθ is ½.
-        return static_cast<double>(sum) / (kUnit * 1.5 * static_cast<double>(width - 1));
+        return static_cast<double>(sum) / (kUnit * weight_);
     }
 
 private:
@@ -44,6 +46,7 @@ private:
     static constexpr double kLargest = 1e4;
 
     std::vector<std::int64_t> sums_;
+    double weight_;
 };
 
 }  // namespace nacre::lut
