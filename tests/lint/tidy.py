@@ -10,6 +10,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 import shlex
 import subprocess
 import sys
@@ -34,15 +35,16 @@ def preprocess(entry: dict[str, str]) -> bytes:
     return result.stdout if result.returncode == 0 else os.urandom(32)
 
 
-def check(entry: dict[str, str], build: Path, passed: Path) -> str | None:
+def check(entry: dict[str, str], passed: Path) -> str | None:
     """What clang-tidy has to say, or None where the source is fine."""
-    config = Path(".clang-tidy").read_bytes()
-    stamp = passed / hashlib.sha256(config + preprocess(entry)).hexdigest()
+    folders = Path(entry["file"]).relative_to(Path.cwd()).parents
+    configs = [file.read_bytes() for f in folders if (file := f / ".clang-tidy").exists()]
+    stamp = passed / hashlib.sha256(b"".join([*configs, preprocess(entry)])).hexdigest()
     if stamp.exists():
         return None
     # The build's compiler is GCC, whose warnings and pragmas clang does not all know.
     unknown = [f"--extra-arg=-Wno-unknown-{what}" for what in ("warning-option", "pragmas")]
-    command = [CLANG_TIDY, "--quiet", *unknown, "-p", str(build), entry["file"]]
+    command = [CLANG_TIDY, "--quiet", *unknown, "-p", str(passed), entry["file"]]
     result = subprocess.run(command, capture_output=True, text=True, check=False)
     if result.returncode == 0:
         stamp.touch()
@@ -50,16 +52,29 @@ def check(entry: dict[str, str], build: Path, passed: Path) -> str | None:
     return result.stdout + result.stderr
 
 
+def sources(entry: dict[str, str]) -> list[dict[str, str]]:
+    """The entry, or one for each source that it compiles at a time with others."""
+    if not Path(entry["file"]).name.startswith("unity_"):
+        return [entry]
+    included = re.findall(r'^#include "(.*\.cpp)"$', Path(entry["file"]).read_text("utf-8"), re.M)
+    return [
+        {**entry, "file": file, "command": entry["command"].replace(entry["file"], file)}
+        for file in included
+    ]
+
+
 def main() -> int:
     build = Path(sys.argv[1]).resolve()
     passed = build.parent / "tidy"
     passed.mkdir(exist_ok=True)
-    entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    compiled = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    entries = [source for entry in compiled for source in sources(entry)]
+    (passed / "compile_commands.json").write_text(json.dumps(entries), encoding="utf-8")
     folders = [Path.cwd() / "cpp_tools" / name for name in ("src", "apps")]
     ours = [e for e in entries if any(Path(e["file"]).is_relative_to(f) for f in folders)]
     failures = 0
     with ThreadPoolExecutor(os.cpu_count()) as pool:
-        outcomes = pool.map(lambda entry: check(entry, build, passed), ours)
+        outcomes = pool.map(lambda entry: check(entry, passed), ours)
         for number, (entry, outcome) in enumerate(zip(ours, outcomes, strict=True), 1):
             name = Path(entry["file"]).relative_to(Path.cwd())
             print(f"[{number}/{len(ours)}] {name}", flush=True)

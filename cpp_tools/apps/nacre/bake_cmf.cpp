@@ -23,7 +23,7 @@ struct CmfOptions {
     std::string output, depth, observer = "cie1931", maximum = "global";
 };
 
-constexpr const char* kHelp = R"(
+constexpr const char* kBakeCmfHelp = R"(
 One row of 471 texels, 360 … 830 nm at 1 nm: R = x̄, G = ȳ, B = z̄. Bytes hold the values divided by
 the maximum, which the attribute nacre:maximum gives for R, G and B.
 
@@ -98,7 +98,7 @@ void add_bake_cmf(CLI::App& bake_command, Session& session)
 {
     const auto options = std::make_shared<CmfOptions>();
     CLI::App* cmf = bake_command.add_subcommand("cmf", "colour-matching functions as a texture");
-    cmf->fallthrough()->footer(kHelp);
+    cmf->fallthrough()->footer(kBakeCmfHelp);
     cmf->add_option("-o,--output", options->output,
                     ".exr or .tx (float, half), .ftxt, .csv, .png (byte)")
         ->required();

@@ -28,7 +28,7 @@ struct BakeOptions {
     TableOptions table;
 };
 
-constexpr const char* kHelp = R"(
+constexpr const char* kBakeRampHelp = R"(
 INPUT is a film template (.toml) or the JSON of one, as for nacre bake stack, in which something varies.
 The ramp holds exact colours at equal steps of it, at one angle:
   .cube    1-D table of Adobe and DaVinci, its domain in nm (or the factor)
@@ -172,7 +172,7 @@ void add_bake_ramp(CLI::App& bake_command, Session& session)
     const auto options = std::make_shared<BakeOptions>();
     CLI::App* ramp =
         bake_command.add_subcommand("ramp", "colours of a film over thickness at one angle");
-    ramp->fallthrough()->footer(kHelp);
+    ramp->fallthrough()->footer(kBakeRampHelp);
     ramp->add_option("INPUT", options->input, "template (.toml) or stack (.json, -)")->required();
     ramp->add_option("-o,--output", options->output, ".cube, .spi1d or .csv")->required();
     add_ramp_options(*ramp, options->ramp);

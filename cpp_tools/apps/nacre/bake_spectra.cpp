@@ -33,7 +33,7 @@ struct SpectraOptions {
     [[nodiscard]] std::size_t column_count() const { return static_cast<std::size_t>(columns); }
 };
 
-constexpr const char* kHelp = R"(
+constexpr const char* kBakeSpectraHelp = R"(
 INPUT is the key of a spectrum (nacre library list), an illuminant (D65, blackbody:3200), or a file:
 .csv, .spd, .spdx, CGATS, a spectral EXR, or a texture made by this command. Samples are 324 … 835 nm
 at 1 nm; outside its data a spectrum keeps the value at its end.
@@ -204,7 +204,7 @@ void add_bake_spectra(CLI::App& bake_command, Session& session)
 {
     const auto options = std::make_shared<SpectraOptions>();
     CLI::App* spectra = bake_command.add_subcommand("spectra", "spectra as a texture");
-    spectra->fallthrough()->footer(kHelp);
+    spectra->fallthrough()->footer(kBakeSpectraHelp);
     spectra->add_option("INPUT", options->inputs, "keys, illuminants, files")->required();
     spectra
         ->add_option("-o,--output", options->output,

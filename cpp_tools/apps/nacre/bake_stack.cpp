@@ -24,7 +24,7 @@ struct StackOptions {
     TableOptions colour;
 };
 
-constexpr const char* kHelp = R"(
+constexpr const char* kBakeStackHelp = R"(
 INPUT is a film template (.toml), or the JSON of one (.json; - is the standard input):
   {"ambient": {"medium": "air"},
    "layer": [{"n": 1.33, "thickness_nm": {"default": 400, "min": 0, "max": 1500, "varies": true}}],
@@ -69,7 +69,7 @@ void add_bake_stack(CLI::App& bake_command, Session& session)
     const auto options = std::make_shared<StackOptions>();
     CLI::App* stack =
         bake_command.add_subcommand("stack", "colour of a film over angle and thickness");
-    stack->fallthrough()->footer(kHelp);
+    stack->fallthrough()->footer(kBakeStackHelp);
     stack->add_option("INPUT", options->input, "template (.toml) or stack (.json, -)")->required();
     stack->add_option("-o,--output", options->output, ".exr, .tx or .ftxt")->required();
     add_stack_table_options(*stack, options->table);

@@ -24,7 +24,7 @@ struct CompareOptions {
     std::optional<double> max;
 };
 
-constexpr const char* kHelp = R"(
+constexpr const char* kCompareHelp = R"(
 Colours are scene-linear in the space that the files name, else in lin_rec709_scene; 8-bit files have
 the sRGB curve. A pixel that is not finite in either image is a failure, whatever --max says.
 Exit status: 0 alike, 1 wrong usage or input (also images of different size), 2 above --max.
@@ -136,7 +136,7 @@ void add_compare(CLI::App& app, Session& session)
 {
     const auto options = std::make_shared<CompareOptions>();
     CLI::App* command = app.add_subcommand("compare", "colour difference of two images");
-    command->fallthrough()->footer(kHelp);
+    command->fallthrough()->footer(kCompareHelp);
     command->add_option("A", options->a, "image")->required();
     command->add_option("B", options->b, "image of the same size")->required();
     command->add_option("--max", options->max, "largest ΔE00 of a pixel that passes");

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp = R"(
+constexpr const char* kCompileHelp = R"(
 For each template the folder DIR/<id> with <id>.osl, the tables <id>_R.exr …, the manifest <id>.json,
 and <id>.oso where oslc is on the path or NACRE_PYTHON names a Python with bpy. A folder is replaced
 whole, and none is touched unless all templates compile. Equal input gives equal bytes.
@@ -179,7 +179,7 @@ void add_compile(CLI::App& app, Session& session)
 {
     const auto options = std::make_shared<CompileRequest>();
     CLI::App* compile = app.add_subcommand("compile", "templates to shaders, tables and manifests");
-    compile->fallthrough()->footer(kHelp);
+    compile->fallthrough()->footer(kCompileHelp);
     compile->add_option("TEMPLATE", options->inputs, "template files (.toml)")->required();
     compile->add_option("-o,--output", options->output, "folder to write to")
         ->required()

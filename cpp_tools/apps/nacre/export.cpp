@@ -29,7 +29,7 @@ namespace {
 namespace fs = std::filesystem;
 using material::MaterialTemplate;
 
-constexpr const char* kHelp = R"(
+constexpr const char* kExportHelp = R"(
 Materials are templates of one's own (TEMPLATE.toml), or come from the library (--material ID):
   materialx  .mtlx: table and node graph of any film, and a closure with a thin film where there is one
   gltf       .gltf, .glb: the nearest KHR_materials_iridescence; of glasses ior and dispersion
@@ -314,7 +314,7 @@ void print_summary(const Session& session, const ordered_json& list,
 void add_export(CLI::App& app, Session& session)
 {
     CLI::App* command = app.add_subcommand("export", "materials for other programs and renderers");
-    command->fallthrough()->require_subcommand(1)->footer(kHelp);
+    command->fallthrough()->require_subcommand(1)->footer(kExportHelp);
     add_export_materialx(*command, session);
     add_export_gltf(*command, session);
     add_export_mitsuba(*command, session);

@@ -25,7 +25,7 @@ struct GltfOptions : ExportOptions {
     bool range = false;
 };
 
-constexpr const char* kHelp = R"(
+constexpr const char* kExportGltfHelp = R"(
 One film of KHR_materials_iridescence whose colours on a sphere, at angles up to 85°, come nearest to
 the exact ones, by the formulas of the extension. Index, thickness and base colour are those of the
 fit: they stand for the whole stack and need not be those of a layer. What it is off by stands in the
@@ -279,7 +279,7 @@ void add_export_gltf(CLI::App& command, Session& session)
     const auto options = std::make_shared<GltfOptions>();
     CLI::App* gltf =
         command.add_subcommand("gltf", "the nearest film of KHR_materials_iridescence");
-    gltf->footer(kHelp);
+    gltf->footer(kExportGltfHelp);
     add_export_options(*gltf, *options, ".gltf or .glb");
     add_value_options(*gltf, *options);
     gltf->add_flag("--range", options->range, "fit all thicknesses of the template, not only one");

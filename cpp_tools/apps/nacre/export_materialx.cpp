@@ -29,7 +29,7 @@ using lut::SphereError;
 using material::Interior;
 using spectral::Vec3;
 
-constexpr const char* kHelp = R"(
+constexpr const char* kExportMaterialxHelp = R"(
 One document for all materials. A film becomes the material <id>: its table <id>_R.exr (and <id>_T.exr
 where light passes) beside the document, read at |N·V| and the input thickness_nm, tints a
 generalized_schlick_bsdf. One clear layer also becomes <id>_thin_film: thinfilm_thickness and
@@ -387,7 +387,7 @@ void add_export_materialx(CLI::App& command, Session& session)
     const auto options = std::make_shared<ExportOptions>();
     CLI::App* materialx = command.add_subcommand(
         "materialx", "tables and node graphs, and closures with a thin film");
-    materialx->footer(kHelp);
+    materialx->footer(kExportMaterialxHelp);
     add_export_options(*materialx, *options, ".mtlx; tables go beside it");
     add_value_options(*materialx, *options);
     add_table_options(*materialx, options->table);

@@ -28,7 +28,7 @@ using lut::SphereError;
 using material::Interior;
 using spectral::Vec3;
 
-constexpr const char* kHelp = R"(
+constexpr const char* kExportMitsubaHelp = R"(
 A scene to <include>, with a BSDF of the material's id. Mitsuba 3 has no thin film: a film is the BSDF
 nacre_film, a plugin in Python that is written beside the scene, with its reflectance and
 transmittance each nanometre over cosθ as <id>_spectrum.exr, for RGB variants also as <id>_R.exr and
@@ -316,7 +316,7 @@ void add_export_mitsuba(CLI::App& command, Session& session)
 {
     const auto options = std::make_shared<ExportOptions>();
     CLI::App* mitsuba = command.add_subcommand("mitsuba", "BSDFs for Mitsuba 3, spectral and RGB");
-    mitsuba->footer(kHelp);
+    mitsuba->footer(kExportMitsubaHelp);
     add_export_options(*mitsuba, *options, ".xml; tables and the plugin go beside it");
     add_value_options(*mitsuba, *options);
     mitsuba

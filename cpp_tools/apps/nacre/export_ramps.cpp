@@ -18,7 +18,7 @@ struct RampExport : ExportOptions {
     RampOptions ramp;
 };
 
-constexpr const char* kHelp = R"(
+constexpr const char* kExportRampsHelp = R"(
 Exact colours at equal steps of the thickness, at one angle; the same as nacre bake ramp.
 
   nacre export cube --material tempered_steel -o tempered_steel.cube
@@ -44,7 +44,7 @@ void add_format(CLI::App& command, Session& session, RampFormat format, const st
 {
     const auto options = std::make_shared<RampExport>();
     CLI::App* ramp = command.add_subcommand(name, description);
-    ramp->footer(kHelp);
+    ramp->footer(kExportRampsHelp);
     add_export_options(*ramp, *options, name == "cube" ? ".cube" : ".csv");
     add_ramp_options(*ramp, options->ramp);
     add_light_options(*ramp, options->table);

@@ -27,7 +27,7 @@ struct TableExport : ExportOptions {
     bool alpha = false, csv = false;
 };
 
-constexpr const char* kHelp = R"(
+constexpr const char* kExportTableHelp = R"(
 The table of nacre bake stack, and beside it FILE.json with its axes, units, stack, light, error and
 citations, for engines that read no attributes. --alpha adds a channel of ones; with --depth half that
 is RGBA16F. --csv adds FILE.csv, a row a texel.
@@ -149,7 +149,7 @@ void add_export_table(CLI::App& command, Session& session)
 {
     const auto options = std::make_shared<TableExport>();
     CLI::App* table = command.add_subcommand("table", "a table of colours with a JSON beside it");
-    table->footer(kHelp);
+    table->footer(kExportTableHelp);
     add_export_options(*table, *options, ".exr, .tx or .ftxt");
     add_stack_table_options(*table, options->stack);
     table->add_flag("--alpha", options->alpha, "a fourth channel, 1 everywhere");

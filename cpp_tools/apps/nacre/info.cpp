@@ -20,7 +20,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr const char* kHelp = R"(
+constexpr const char* kInfoHelp = R"(
   nacre info soap_film.exr
   nacre info lights.png --spectra lights.csv
   nacre info soap_film.exr --json | python3 -c 'import json, sys; print(json.load(sys.stdin)["stack"])')";
@@ -160,7 +160,7 @@ void add_info(CLI::App& app, Session& session)
 {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App* info = app.add_subcommand("info", "what is in a baked file");
-    info->fallthrough()->footer(kHelp);
+    info->fallthrough()->footer(kInfoHelp);
     info->add_option("FILE", options->files,
                      "images; with --json one object, or an array for several")
         ->required();

@@ -74,7 +74,7 @@ int define(const Session& session, const DefineOptions& options)
     return kExitOk;
 }
 
-constexpr const char* kHelp =
+constexpr const char* kLibraryDefineHelp =
     "\n  nacre library define paint/teal --kind reflectance --constant 0.05 --gaussian 490:80:0.4\n"
     "  nacre library define lamp/mix --kind emission --from lamp/hps:0.5 --from cie/D65:0.01\n"
     "  nacre library define --kind reflectance --interpolation smooth \\\n"
@@ -87,7 +87,7 @@ void add_library_define(CLI::App& library, Session& session)
     const auto options = std::make_shared<DefineOptions>();
     CLI::App* command =
         library.add_subcommand("define", "a spectrum made by hand, the sum of simple shapes");
-    command->fallthrough()->footer(kHelp);
+    command->fallthrough()->footer(kLibraryDefineHelp);
     command->add_option("KEY", options->key, "of the new entry of your own library");
     command->add_option("-o,--output", options->output, ".csv or -, in place of a library");
     command->add_option("--kind", options->kind, "what the values are")

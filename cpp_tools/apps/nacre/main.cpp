@@ -18,7 +18,7 @@
 namespace nacre::tool {
 namespace {
 
-constexpr const char* kHelp = R"(
+constexpr const char* kMainHelp = R"(
 Exit status: 0 done, 1 wrong usage or input, 2 a check failed.
 
 The reflectance of 300 nm of water in air, as numbers and as a texture over angle and thickness:
@@ -85,7 +85,7 @@ int run(int argc, char** argv)
     install_signal_handlers();
     Session session;
     CLI::App app("Nacre: wave-optics materials as numbers, tables and shaders", "nacre");
-    app.require_subcommand(1)->footer(kHelp);
+    app.require_subcommand(1)->footer(kMainHelp);
     add_global_options(app, session);
     add_eval(app, session);
     add_bake(app, session);

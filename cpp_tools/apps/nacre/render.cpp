@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHelp = R"(A picture of a material, by Blender's Cycles in background
+constexpr const char* kRenderHelp = R"(A picture of a material, by Blender's Cycles in background
 Usage: nacre [--quiet] render --material ID|--template FILE.toml [options] -o FILE.exr|.png
        nacre [--quiet] render --blend FILE [--assign OBJECT=ID …] [--frames A-B] -o FILE
 
@@ -167,7 +167,7 @@ int render(const Session& session, std::vector<std::string> arguments)
 {
     const auto asks_help = [](const std::string& text) { return text == "--help" || text == "-h"; };
     if (arguments.empty() || std::any_of(arguments.begin(), arguments.end(), asks_help)) {
-        write_text_output("", kHelp);
+        write_text_output("", kRenderHelp);
         return arguments.empty() ? kExitInputError : kExitOk;
     }
     const WritingGuard guard;
