@@ -27,6 +27,17 @@ def pytest_configure(config):
         raise pytest.UsageError("stored images are refreshed by a person after review, never in CI")
 
 
+# Files whose tests share what one of their fixtures renders: in each Blender by one process.
+SHARED = ("energy", "interiors", "prism", "rough", "spread", "stacks", "techniques", "truth")
+
+
+def pytest_collection_modifyitems(items):
+    for item in items:
+        version = getattr(item, "callspec", None) and item.callspec.params.get("blender")
+        if version and item.path.stem.removeprefix("test_") in SHARED:
+            item.add_marker(pytest.mark.xdist_group(f"{item.path.stem}-{version}"))
+
+
 @pytest.fixture(scope="session", params=VERSIONS)
 def blender(request, tmp_path_factory) -> Blender:
     variable = VERSIONS[request.param]

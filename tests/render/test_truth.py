@@ -21,7 +21,7 @@ from truth import (
 # The first sample of a pixel lies at its centre, and one is enough where there is one way to go. A
 # film with something below picks one of two ways at random; the error of Sobol points falls like 1/N.
 ONE_WAY = {"size": 40, "samples": 1}
-TWO_WAYS = {"size": 16, "samples": 16384}
+TWO_WAYS = {"size": 12, "samples": 16384}
 # ΔE00, mean and largest; with two ways the noise of the samples stays.
 ONE_WAY_LIMITS, TWO_WAYS_LIMITS = (0.01, 0.1), (0.03, 0.15)
 # A channel this far below 0 is cut by the node form, which then cannot be right.
