@@ -279,7 +279,7 @@ ProbeErrors sample_strip(const Baker& baker, TableSize size, std::size_t x, RowE
             errors.along_angle = std::max(errors.along_angle, midway);
             continue;
         }
-        for (const std::size_t k : {0, 2}) {
+        for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
             const double error =
                 probe(errors, baker, cos_theta[k], on_column(k, row), exact[k][row]);
             errors.along_variation = std::max(errors.along_variation, error);
