@@ -18,7 +18,7 @@ _THICK = 0.012
 
 
 def build(scene: bpy.types.Scene) -> Stage:
-    environment(scene, "night", strength=1.2, turn_deg=0.0)
+    environment(scene, "night", strength=1.2, turn_deg=0.0, small_lamps=True)
     backdrop(scene, (0.02, 0.021, 0.024), roughness=0.4, depth=3.0)
     data = lathe(scene, "Data", ((_RING, 0.0), (_DATA, 0.0)), segments=256)
     ring = lathe(

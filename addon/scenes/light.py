@@ -20,8 +20,10 @@ def environment(
     strength: float,
     turn_deg: float = 0.0,
     seen: float | None = None,
+    small_lamps: bool = False,
 ) -> None:
-    """One of the environments that come with Blender (CC0); `seen` is its strength for the camera."""
+    """One of the environments that come with Blender (CC0); `seen` is its strength for the camera.
+    Lamps of a few pixels are noisy unless they are said to be there."""
     world = bpy.data.worlds.new(name.title())
     world.use_nodes = True
     scene.world = world
@@ -33,6 +35,10 @@ def environment(
     picture = nodes.new("ShaderNodeTexEnvironment")
     folder = Path(bpy.utils.system_resource("DATAFILES"), "studiolights", "world")
     picture.image = bpy.data.images.load(str(folder / f"{name}.exr"), check_existing=True)
+    # Left to itself, Cycles looks in 16 times as many directions as there are pixels before each
+    # render, which takes longer than a small render does.
+    world.cycles.sampling_method = "MANUAL"
+    world.cycles.sample_map_resolution = (2 if small_lamps else 1) * picture.image.size[0]
     links.new(coordinates.outputs["Generated"], mapping.inputs["Vector"])
     links.new(mapping.outputs["Vector"], picture.inputs["Vector"])
     links.new(picture.outputs["Color"], background.inputs["Color"])

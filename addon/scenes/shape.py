@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Sequence
 
@@ -46,31 +45,29 @@ def lathe(
 ) -> bpy.types.Object:
     """Turns `profile`, points (radius, z) from the bottom up with the outside to the right; u goes
     around, v along the profile."""
+    circle = [math.tau * i / segments for i in range(segments)]
+    circle = [(math.cos(angle), math.sin(angle)) for angle in circle]
     vertices: list[Point] = []
-    rings: list[list[int]] = []
+    firsts = []
     for radius, z in profile:
-        count = 1 if radius == 0.0 else segments
-        rings.append(list(range(len(vertices), len(vertices) + count)))
-        for step in range(count):
-            angle = math.tau * step / segments
-            vertices.append((radius * math.cos(angle), radius * math.sin(angle), z))
+        firsts.append(len(vertices))
+        vertices += [(radius * x, radius * y, z) for x, y in circle[: segments if radius else 1]]
     faces, uvs = [], []
-    for ring, (lower, upper) in enumerate(itertools.pairwise(rings)):
-        for i in range(segments):
-            j = (i + 1) % segments
-            corners: dict[int, tuple[float, float]] = {}
-            for circle, step, v in (
-                (lower, i, ring),
-                (lower, j, ring),
-                (upper, j, ring + 1),
-                (upper, i, ring + 1),
-            ):
-                # The last step ends at u = 1, where the first begins at 0.
-                u = i + 1 if step == j else i
-                place = (u / segments, v / (len(rings) - 1))
-                corners.setdefault(circle[step % len(circle)], place)
-            faces.append(tuple(corners))
-            uvs += corners.values()
+    around = [(i, (i + 1) % segments, i / segments, (i + 1) / segments) for i in range(segments)]
+    last = len(profile) - 1
+    for ring in range(last):
+        low, high = firsts[ring], firsts[ring + 1]
+        below, above = ring / last, (ring + 1) / last
+        for i, j, u, next_u in around:
+            if profile[ring][0] == 0.0:
+                faces.append((low, high + j, high + i))
+                uvs += ((u, below), (next_u, above), (u, above))
+            elif profile[ring + 1][0] == 0.0:
+                faces.append((low + i, low + j, high))
+                uvs += ((u, below), (next_u, below), (next_u, above))
+            else:
+                faces.append((low + i, low + j, high + j, high + i))
+                uvs += ((u, below), (next_u, below), (next_u, above), (u, above))
     return mesh(scene, name, vertices, faces, smooth=smooth, uvs=uvs)
 
 

@@ -12,7 +12,7 @@ from .stage import Stage, place_on
 
 
 def build(scene: bpy.types.Scene) -> Stage:
-    environment(scene, "interior", strength=0.9, turn_deg=150.0)
+    environment(scene, "interior", strength=0.9, turn_deg=150.0, small_lamps=True)
     backdrop(scene, (0.055, 0.058, 0.065), roughness=0.35)
     area_lamp(scene, (-3.6, -2.2, 4.2), (0.0, 0.0, 1.0), size=(2.2, 3.0), watts=420.0)
     area_lamp(
