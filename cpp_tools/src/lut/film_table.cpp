@@ -6,10 +6,10 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "checks.h"
 #include "nacre/core/diagnostics.h"
@@ -25,12 +25,25 @@ std::size_t half_steps(int texels)
     return static_cast<std::size_t>(2 * texels - 1);
 }
 
-/// How far off a table is between its texels.
-struct TableErrors {
+/// Errors found at some probes between texels.
+struct ProbeErrors {
     ErrorStatistics reflectance{}, transmittance{};
     double along_angle = 0.0, along_variation = 0.0;
+
+    void add(const ProbeErrors& other)
+    {
+        reflectance.add(other.reflectance);
+        transmittance.add(other.transmittance);
+        along_angle = std::max(along_angle, other.along_angle);
+        along_variation = std::max(along_variation, other.along_variation);
+    }
+};
+
+/// How far off a table is between its texels.
+struct TableErrors : ProbeErrors {
     RowErrors rows;
 
+    explicit TableErrors(RowErrors none) : rows(std::move(none)) {}
     [[nodiscard]] double largest(bool with_transmittance) const
     {
         return with_transmittance ? std::max(reflectance.max, transmittance.max) : reflectance.max;
@@ -53,6 +66,11 @@ struct Baked {
         }
         return colour;
     }
+    /// Texels of a column by their row.
+    [[nodiscard]] auto column(std::size_t x) const
+    {
+        return [this, x](std::size_t y) { return texel(x, y); };
+    }
     void set_texel(std::size_t x, std::size_t y, const FilmColour& colour)
     {
         const std::size_t at = 3 * (y * static_cast<std::size_t>(size.width) + x);
@@ -73,20 +91,6 @@ FilmColour lerp(const FilmColour& a, const FilmColour& b, double t) noexcept
     return result;
 }
 
-/// Errors found on one column of probes.
-struct ProbeErrors {
-    ErrorStatistics reflectance, transmittance;
-    double along_angle = 0.0, along_variation = 0.0;
-
-    void add_to(TableErrors& all) const
-    {
-        all.reflectance.add(reflectance);
-        all.transmittance.add(transmittance);
-        all.along_angle = std::max(all.along_angle, along_angle);
-        all.along_variation = std::max(all.along_variation, along_variation);
-    }
-};
-
 double probe(ProbeErrors& errors, const Baker& baker, double cos_theta,
              const FilmColour& interpolated, const FilmColour& exact)
 {
@@ -105,43 +109,64 @@ double half_step(const Baker& baker, int height)
     return (baker.last_value() - baker.first_value()) / static_cast<double>(2 * height - 2);
 }
 
-/// Texels of column `x`, and the errors half-way between its rows.
-ProbeErrors bake_column(const Baker& baker, Baked& baked, std::size_t x)
-{
-    std::vector<FilmColour> exact(half_steps(baked.size.height));
-    const double cos_theta = static_cast<double>(x) / (baked.size.width - 1);
-    baker.column(cos_theta).evaluate(baker.first_value(), half_step(baker, baked.size.height),
-                                     exact);
+/// Colours of one angle at the rows of a table and half-way between them.
+using HalfRows = std::vector<FilmColour>;
 
-    for (std::size_t i = 0; i < exact.size(); i += 2) baked.set_texel(x, i / 2, exact[i]);
+HalfRows exact_half_rows(const Baker& baker, TableSize size, double cos_theta)
+{
+    HalfRows exact(half_steps(size.height));
+    baker.column(cos_theta).evaluate(baker.first_value(), half_step(baker, size.height), exact);
+    return exact;
+}
+
+/// Errors half-way between the rows of a column, whose texel of row y is texel(y).
+template <class Texel>
+ProbeErrors check_column(const Baker& baker, RowErrors& rows, double cos_theta,
+                         const HalfRows& exact, const Texel& texel)
+{
     ProbeErrors errors;
     for (std::size_t i = 1; i < exact.size(); i += 2) {
-        const FilmColour between = midpoint(baked.texel(x, i / 2), baked.texel(x, i / 2 + 1));
+        const FilmColour between = midpoint(texel(i / 2), texel(i / 2 + 1));
         const double error = probe(errors, baker, cos_theta, between, exact[i]);
         errors.along_variation = std::max(errors.along_variation, error);
-        baked.errors.rows.add(i, cos_theta, error, kTexelWeight);
+        rows.add(i, cos_theta, error, kTexelWeight);
     }
     return errors;
 }
 
-/// Errors half-way between columns x and x + 1, at the rows and half-way between them.
-ProbeErrors check_midway(const Baker& baker, Baked& baked, std::size_t x)
+/// Errors half-way between two columns, at the rows and half-way between them.
+template <class Left, class Right>
+ProbeErrors check_midway(const Baker& baker, RowErrors& rows, double cos_theta,
+                         const HalfRows& exact, const Left& left, const Right& right,
+                         std::int64_t weight = kMidwayWeight)
 {
-    std::vector<FilmColour> exact(half_steps(baked.size.height));
-    const double cos_theta = (static_cast<double>(x) + 0.5) / (baked.size.width - 1);
-    baker.column(cos_theta).evaluate(baker.first_value(), half_step(baker, baked.size.height),
-                                     exact);
-
     ProbeErrors errors;
     for (std::size_t i = 0; i < exact.size(); ++i) {
         const std::size_t y = i / 2, up = y + i % 2;
-        const FilmColour low = midpoint(baked.texel(x, y), baked.texel(x + 1, y));
-        const FilmColour high = midpoint(baked.texel(x, up), baked.texel(x + 1, up));
+        const FilmColour low = midpoint(left(y), right(y)), high = midpoint(left(up), right(up));
         const double error = probe(errors, baker, cos_theta, midpoint(low, high), exact[i]);
         if (i % 2 == 0) errors.along_angle = std::max(errors.along_angle, error);
-        baked.errors.rows.add(i, cos_theta, error, kMidwayWeight);
+        rows.add(i, cos_theta, error, weight);
     }
     return errors;
+}
+
+/// Texels of column `x`, and the errors half-way between its rows.
+ProbeErrors bake_column(const Baker& baker, Baked& baked, std::size_t x)
+{
+    const double cos_theta = static_cast<double>(x) / (baked.size.width - 1);
+    const HalfRows exact = exact_half_rows(baker, baked.size, cos_theta);
+    for (std::size_t i = 0; i < exact.size(); i += 2) baked.set_texel(x, i / 2, exact[i]);
+    return check_column(baker, baked.errors.rows, cos_theta, exact, baked.column(x));
+}
+
+/// Errors half-way between columns x and x + 1.
+ProbeErrors check_strip(const Baker& baker, Baked& baked, std::size_t x)
+{
+    const double cos_theta = (static_cast<double>(x) + 0.5) / (baked.size.width - 1);
+    const HalfRows exact = exact_half_rows(baker, baked.size, cos_theta);
+    return check_midway(baker, baked.errors.rows, cos_theta, exact, baked.column(x),
+                        baked.column(x + 1));
 }
 
 /// Errors at one more point of each cell of the strip between columns x and x + 1. The position in
@@ -190,8 +215,8 @@ Baked bake(Baker& baker, TableSize size)
     Baked baked{.size = size,
                 .reflectance = {},
                 .transmittance = {},
-                .errors = {.rows = RowErrors(half_steps(size.height),
-                                             kStripWeight * static_cast<double>(width - 1))}};
+                .errors = TableErrors(RowErrors(half_steps(size.height),
+                                                kStripWeight * static_cast<double>(width - 1)))};
     baked.reflectance.resize(3 * width * static_cast<std::size_t>(size.height));
     baked.transmittance.resize(baked.reflectance.size());
 
@@ -212,10 +237,10 @@ Baked bake(Baker& baker, TableSize size)
         });
     };
     each(width, 0, bake_column);
-    each(width - 1, width, check_midway);
+    each(width - 1, width, check_strip);
     each(width - 1, 2 * width - 1, check_elsewhere);
 
-    for (const ProbeErrors& column : errors) column.add_to(baked.errors);
+    for (const ProbeErrors& column : errors) baked.errors.add(column);
     return baked;
 }
 
@@ -258,34 +283,20 @@ std::optional<TableSize> larger(const FilmTableRequest& request, TableSize size,
 /// What bake() finds half-way between columns x and x + 1 and on them.
 ProbeErrors sample_strip(const Baker& baker, TableSize size, std::size_t x, RowErrors& rows)
 {
-    std::array<double, 3> cos_theta{};
-    std::array<std::vector<FilmColour>, 3> exact;  // on column x, half-way, on column x + 1
-    for (std::size_t k = 0; k < 3; ++k) {
-        cos_theta[k] = (static_cast<double>(x) + 0.5 * static_cast<double>(k)) / (size.width - 1);
-        exact[k].resize(half_steps(size.height));
-        baker.column(cos_theta[k])
-            .evaluate(baker.first_value(), half_step(baker, size.height), exact[k]);
-    }
-    ProbeErrors errors;
-    const auto on_column = [&](std::size_t k, std::size_t row) {
-        return midpoint(exact[k][row - row % 2], exact[k][row + row % 2]);
+    const auto angle = [&](double column) { return column / (size.width - 1); };
+    const auto exact = [&](double cos_theta) { return exact_half_rows(baker, size, cos_theta); };
+    const auto texels = [](const HalfRows& of) {
+        return [&of](std::size_t y) { return of[2 * y]; };
     };
-    for (std::size_t row = 0; row < exact[1].size(); ++row) {
-        const double midway = probe(errors, baker, cos_theta[1],
-                                    midpoint(on_column(0, row), on_column(2, row)), exact[1][row]);
-        // Both columns count here, with half of their weight each.
-        rows.add(row, cos_theta[1], midway, 2 * kMidwayWeight);
-        if (row % 2 == 0) {
-            errors.along_angle = std::max(errors.along_angle, midway);
-            continue;
-        }
-        for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
-            const double error =
-                probe(errors, baker, cos_theta[k], on_column(k, row), exact[k][row]);
-            errors.along_variation = std::max(errors.along_variation, error);
-            rows.add(row, cos_theta[k], error, kTexelWeight);
-        }
-    }
+
+    const auto first = static_cast<double>(x);
+    const double left = angle(first), midway = angle(first + 0.5), right = angle(first + 1.0);
+    const HalfRows on_left = exact(left), on_right = exact(right);
+    // A strip has half of each of its columns: all weights are doubled, to stay whole.
+    ProbeErrors errors = check_midway(baker, rows, midway, exact(midway), texels(on_left),
+                                      texels(on_right), 2 * kMidwayWeight);
+    errors.add(check_column(baker, rows, left, on_left, texels(on_left)));
+    errors.add(check_column(baker, rows, right, on_right, texels(on_right)));
     return errors;
 }
 
@@ -301,14 +312,14 @@ TableErrors sample_errors(Baker& baker, TableSize size)
         weight +=
             4.0 * kStripWeight * (static_cast<double>(strip(i)) + 0.5) / static_cast<double>(all);
 
-    TableErrors found{.rows = RowErrors(half_steps(size.height), weight)};
+    TableErrors found(RowErrors(half_steps(size.height), weight));
     std::vector<ProbeErrors> errors(count);
     baker.progress.stage(0.05, count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
         errors[i] = sample_strip(baker, size, strip(i), found.rows);
         baker.progress.step();
     });
-    for (const ProbeErrors& of_strip : errors) of_strip.add_to(found);
+    for (const ProbeErrors& of_strip : errors) found.add(of_strip);
     return found;
 }
 
