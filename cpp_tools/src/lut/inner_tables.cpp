@@ -15,7 +15,7 @@
 namespace nacre::lut {
 namespace {
 
-constexpr std::size_t kNodes = 48;
+constexpr std::size_t kPoints = 48;
 constexpr double kLineD = 587.5618;
 
 struct Node {
@@ -23,19 +23,19 @@ struct Node {
 };
 
 /// Gauss-Legendre nodes of [0, 1], by Newton's method on P_n.
-std::array<Node, kNodes> gauss_legendre()
+std::array<Node, kPoints> gauss_legendre()
 {
-    std::array<Node, kNodes> nodes{};
-    for (std::size_t i = 0; i < kNodes; ++i) {
-        double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (kNodes + 0.5));
+    std::array<Node, kPoints> nodes{};
+    for (std::size_t i = 0; i < kPoints; ++i) {
+        double x = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (kPoints + 0.5));
         double slope = 0.0;
         for (int step = 0; step < 8; ++step) {
             double last = 1.0, value = x;
-            for (std::size_t n = 2; n <= kNodes; ++n) {
+            for (std::size_t n = 2; n <= kPoints; ++n) {
                 const double k = static_cast<double>(n);
                 last = std::exchange(value, ((2.0 * k - 1.0) * x * value - (k - 1.0) * last) / k);
             }
-            slope = kNodes * (x * value - last) / (x * x - 1.0);
+            slope = kPoints * (x * value - last) / (x * x - 1.0);
             x -= value / slope;
         }
         nodes[i] = {0.5 * (1.0 + x), 1.0 / ((1.0 - x * x) * slope * slope)};

@@ -12,6 +12,7 @@
 
 #include "film_forms.h"
 #include "nacre/core/diagnostics.h"
+#include "sinc.h"
 
 namespace nacre::optics {
 namespace {
@@ -155,11 +156,6 @@ double bands_path(const SingleFilm& film, double cos_light, double cos_view, dou
     domain.throw_if_any();
     return 2.0 * film.n_film * film.thickness_nm * cosine_in_film(film, cos_light) *
            cosine_in_film(film, cos_view);
-}
-
-double sinc(double x) noexcept
-{
-    return x == 0.0 ? 1.0 : std::sin(x) / x;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "nacre/core/diagnostics.h"
+#include "sinc.h"
 
 namespace nacre::optics {
 namespace {
@@ -43,11 +44,6 @@ bool is_direction(const Direction& v) noexcept
 constexpr double kMaxPhase = 1000.0;            ///< rad
 constexpr double kMaxPitchInWavelengths = 1e4;  ///< more than 20 000 orders propagate beyond it
 constexpr int kMaxOrder = 100000;
-
-double sinc(double x) noexcept
-{
-    return x == 0.0 ? 1.0 : std::sin(x) / x;
-}
 
 /// J_m(x) as the Fourier coefficient that it is, 1/N Σ cos(mτ − x sinτ): the trapezium rule on a
 /// periodic analytic function converges faster than any power of N once N > |m| + |x|.

@@ -13,7 +13,7 @@
 namespace nacre::oslgen {
 namespace {
 
-std::string quoted(std::string_view text)
+std::string string_literal(std::string_view text)
 {
     std::string result = "\"";
     for (const char c : text) {
@@ -25,8 +25,8 @@ std::string quoted(std::string_view text)
 
 std::string metadata(std::string_view label, std::string_view help, std::string_view more = "")
 {
-    return fmt::format("\n        [[ string label = {}, string help = {}{} ]]", quoted(label),
-                       quoted(help), more);
+    return fmt::format("\n        [[ string label = {}, string help = {}{} ]]",
+                       string_literal(label), string_literal(help), more);
 }
 
 std::string parameter(const Socket& socket)
@@ -44,7 +44,7 @@ std::string parameter(const Socket& socket)
                         fmt::format(", int min = {}, int max = {}", static_cast<int>(socket.min),
                                     static_cast<int>(socket.max)));
     const std::string units =
-        socket.unit == "1" ? "" : fmt::format(", string units = {}", quoted(socket.unit));
+        socket.unit == "1" ? "" : fmt::format(", string units = {}", string_literal(socket.unit));
     return fmt::format("    float {} = {}", socket.name, literal(socket.value)) +
            metadata(socket.label, socket.description,
                     fmt::format("{}, float min = {}, float max = {}", units, literal(socket.min),
@@ -354,8 +354,8 @@ std::string shader_text(const Context& context)
         "shader nacre_{}"
         "\n[[ string label = {}, string help = {} ]]\n"
         "(\n{},\n    output closure color BSDF = 0\n)\n{{\n{}}}\n",
-        includes(context), source.name, context.space, source.id, quoted(source.name),
-        quoted(source.description), parameters, body(context));
+        includes(context), source.name, context.space, source.id, string_literal(source.name),
+        string_literal(source.description), parameters, body(context));
 }
 
 }  // namespace nacre::oslgen
