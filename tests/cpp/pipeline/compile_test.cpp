@@ -55,13 +55,15 @@ std::string problems(const std::string& toml)
     return "";
 }
 
-TEST(Compile, EveryShippedTemplateCompiles)
+/// The build compiles all of them; here is one of each kind, and of each way to have tables.
+TEST(Compile, ManifestTellsOfTheTables)
 {
-    for (const auto path : list_resources("templates/")) {
-        const auto source = material::parse_template(find_resource(path).value(), path);
-        const CompiledMaterial result = compile(source, quick());
+    for (const char* const id : {"n_bk7", "cd", "oil_on_water", "brushed_anodised_titanium",
+                                 "jewel_beetle", "pearl_white", "soap_film", "lens_coating"}) {
+        const CompiledMaterial result = compile(shipped(id), quick());
         const Json manifest = Json::parse(result.manifest);
-        EXPECT_EQ(manifest["id"], result.id);
+        EXPECT_EQ(manifest["id"], id);
+        EXPECT_EQ(result.id, id);
         EXPECT_EQ(manifest["tables"].size(), result.tables.size());
         for (std::size_t i = 0; i < result.tables.size(); ++i) {
             const lut::Table& table = result.tables[i];
@@ -69,9 +71,9 @@ TEST(Compile, EveryShippedTemplateCompiles)
             EXPECT_EQ(manifest["tables"][i]["width"], table.x.texels);
             EXPECT_EQ(manifest["tables"][i]["height"], table.y.texels);
             if (table.slices > 1) {
-                EXPECT_LE(table.error_mean, 0.5) << path << ' ' << table.name;
+                EXPECT_LE(table.error_mean, 0.5) << id << ' ' << table.name;
             } else if (table.error_unit == "dE00") {
-                EXPECT_LE(table.error_max, quick().tolerance) << path << ' ' << table.name;
+                EXPECT_LE(table.error_max, quick().tolerance) << id << ' ' << table.name;
             }
         }
         EXPECT_NE(result.osl.find("shader nacre_" + result.id), std::string::npos);
