@@ -27,15 +27,17 @@ def pytest_configure(config):
         raise pytest.UsageError("stored images are refreshed by a person after review, never in CI")
 
 
-# Files whose tests share what one of their fixtures renders: in each Blender by one process.
-SHARED = ("energy", "interiors", "prism", "rough", "spread", "stacks", "techniques", "truth")
+def _shares(item) -> bool:
+    """Whether a fixture makes something for all tests of the file."""
+    definitions = item._fixtureinfo.name2fixturedefs.values()
+    return any(last.scope == "module" for *_, last in definitions)
 
 
-def pytest_collection_modifyitems(items):
-    for item in items:
-        version = getattr(item, "callspec", None) and item.callspec.params.get("blender")
-        if version and item.path.stem.removeprefix("test_") in SHARED:
-            item.add_marker(pytest.mark.xdist_group(f"{item.path.stem}-{version}"))
+def pytest_itemcollected(item):
+    """What shares pictures, and the truth that those of both Blenders are held against, stays in one
+    process."""
+    if _shares(item):
+        item.add_marker(pytest.mark.xdist_group(item.path.stem))
 
 
 @pytest.fixture(scope="session", params=VERSIONS)
