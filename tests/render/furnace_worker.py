@@ -9,7 +9,7 @@ point sphere from outside only, so that light crosses one wall.) `sun` is one di
 degrees below the camera, and nothing else. Without a material the sphere is white glossy. `brush`
 lays the tangent to the camera's right. `spread_nm` makes the thickness uneven by that standard
 deviation. `inside_deg`: in place of the sphere a plane, seen from its back at that angle, as from
-inside of glass.
+inside of glass. `quarter`: the upper right one of the picture alone.
 """
 
 from __future__ import annotations
@@ -117,6 +117,9 @@ def render(job: dict) -> None:
         light_by_sun(scene, job["angle"])
     elif job["lit"] != "all":
         light_by_depth(scene.world, 0 if job["lit"] == "reflected" else 1)
+    if job.get("quarter"):
+        scene.render.use_border = scene.render.use_crop_to_border = True
+        scene.render.border_min_x = scene.render.border_min_y = 0.5
     scene.cycles.seed = 0
     for bounces in BOUNCES:
         setattr(scene.cycles, bounces, 64)

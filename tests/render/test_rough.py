@@ -10,9 +10,12 @@ import numpy as np
 import pytest
 from harness import delta_e
 from rough_truth import furnace_colours
-from truth import exact_colours, material_template, pixel_cosines
+from truth import exact_colours, material_template, pixel_cosines, pixel_places
 
-SIZE, SAMPLES = 10, 4096
+SIZE, SAMPLES = 12, 4096
+# Pixels of a quarter of the sphere, which has all angles: right, up; cosines, and those that count.
+PLACES = pixel_places(SIZE, quarter=True)
+COSINES, COUNTED = pixel_cosines(SIZE, quarter=True)
 ROUGHNESSES = (0.15, 0.35, 0.6, 0.9)
 CASES = [
     (material, value, roughness)
@@ -33,8 +36,7 @@ IN_GAMUT = -1e-4
 
 @lru_cache
 def truth(material: str, value: float, roughness: float) -> np.ndarray:
-    cosines, counted = pixel_cosines(SIZE)
-    distinct, inverse = np.unique(np.round(cosines[counted], 12), return_inverse=True)
+    distinct, inverse = np.unique(np.round(COSINES[COUNTED], 12), return_inverse=True)
     alpha = roughness**2
     return furnace_colours(material_template(material), value, distinct, (alpha, alpha))[inverse]
 
@@ -50,6 +52,7 @@ def job(material: str, value: float, roughness: float, form: str, exact: int) ->
         "form": form,
         "lit": "all",
         "size": SIZE,
+        "quarter": True,
         "samples": SAMPLES,
     }
 
@@ -65,8 +68,7 @@ def furnaces(blender):
 @pytest.mark.parametrize(("form", "exact"), WAYS)
 @pytest.mark.parametrize(("material", "value", "roughness"), CASES)
 def test_rough_film(furnaces, material, value, roughness, form, exact, record_property):
-    _, counted = pixel_cosines(SIZE)
-    picture = furnaces[material, value, roughness, form, exact][counted]
+    picture = furnaces[material, value, roughness, form, exact][COUNTED]
     expected = truth(material, value, roughness)
     if form == "nodes":
         inside = expected.min(axis=1) > IN_GAMUT
@@ -82,8 +84,7 @@ def test_rough_film(furnaces, material, value, roughness, form, exact, record_pr
 def test_clear_films_keep_all_light(blender, roughness, form, exact):
     """What the facets reflect and what they pass, further bounces among it, is what came."""
     (picture,) = blender.run("furnace_worker.py", [job("soap_film", 400.0, roughness, form, exact)])
-    _, counted = pixel_cosines(SIZE)
-    mean = picture[counted].mean(axis=0)
+    mean = picture[COUNTED].mean(axis=0)
     print("mean", mean)
     np.testing.assert_allclose(mean, 1.0, atol=2e-3 if exact else 1e-3)
 
@@ -101,6 +102,7 @@ def lit(blender):
             "lit": "sun",
             "angle": angle,
             "size": 48,
+            "quarter": False,
             "samples": 16,
         }
         for material, exact in ways
@@ -148,32 +150,36 @@ BRUSHED_LIMITS = {0.2: (0.15, 0.1), 0.35: (0.4, 0.15), 0.5: (0.6, 0.3)}
 @lru_cache
 def brushed_truth(roughness: float, turned: bool) -> np.ndarray:
     """Tangents X lie along the horizontal of the picture, or across it: N × X."""
-    _, counted = pixel_cosines(SIZE)
-    centre = (np.arange(SIZE) + 0.5) / SIZE * 2 - 1
-    across, up = (grid[counted] for grid in np.meshgrid(centre, centre))
-    # Only |across| and |up| matter.
-    distinct, inverse = np.unique(
-        np.round(np.abs(np.stack([across, up], axis=1)), 12), axis=0, return_inverse=True
-    )
-    x, y = distinct.T
+    x, y = (place[COUNTED] for place in PLACES)
     z = np.sqrt(1 - x**2 - y**2)
     # The view (0, 0, 1) along X, which is (1, 0, 0) - N x made unit, and along N × X.
     along = x * z / np.sqrt(1 - x**2)
     aside = np.sqrt(np.maximum(0, 1 - z**2 - along**2))
     azimuths = np.arctan2(along, aside) if turned else np.arctan2(aside, along)
     alpha = (roughness**2 * (1 - ANISOTROPY), roughness**2 / (1 - ANISOTROPY))
-    colours = furnace_colours(material_template(BRUSHED), BRUSHED_NM, z, alpha, azimuths)
-    return colours[inverse.ravel()]
+    return furnace_colours(material_template(BRUSHED), BRUSHED_NM, z, alpha, azimuths)
 
 
-@pytest.mark.parametrize(("form", "exact"), WAYS)
-@pytest.mark.parametrize("turned", [False, True])
-@pytest.mark.parametrize("roughness", BRUSHED_LIMITS)
-def test_brushed_film(blender, roughness, turned, form, exact):
-    brushed = job(BRUSHED, BRUSHED_NM, roughness, form, exact)
-    brushed["values"] |= {"anisotropy": ANISOTROPY, "rotation": 0.25 if turned else 0.0}
-    (picture,) = blender.run("furnace_worker.py", [brushed | {"brush": True}])
-    _, counted = pixel_cosines(SIZE)
-    errors = delta_e(picture[counted], brushed_truth(roughness, turned))
+BRUSHED_CASES = [
+    (roughness, turned, *way)
+    for roughness in BRUSHED_LIMITS
+    for turned in (False, True)
+    for way in WAYS
+]
+
+
+@pytest.fixture(scope="module")
+def brushed(blender):
+    jobs = []
+    for roughness, turned, form, exact in BRUSHED_CASES:
+        jobs.append(job(BRUSHED, BRUSHED_NM, roughness, form, exact) | {"brush": True})
+        jobs[-1]["values"] |= {"anisotropy": ANISOTROPY, "rotation": 0.25 if turned else 0.0}
+    return dict(zip(BRUSHED_CASES, blender.run("furnace_worker.py", jobs), strict=True))
+
+
+@pytest.mark.parametrize(("roughness", "turned", "form", "exact"), BRUSHED_CASES)
+def test_brushed_film(brushed, roughness, turned, form, exact):
+    picture = brushed[roughness, turned, form, exact]
+    errors = delta_e(picture[COUNTED], brushed_truth(roughness, turned))
     print(f"dE00 mean {errors.mean():.3f}, max {errors.max():.3f} of {errors.size} pixels")
     assert errors.mean() <= BRUSHED_LIMITS[roughness][exact]

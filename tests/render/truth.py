@@ -146,9 +146,21 @@ def colours_over_base(
     return outer["R"] + outer["T"] * base * leaving / (1 - base * returned)
 
 
-def pixel_cosines(size: int, edge: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
+def pixel_places(size: int, quarter: bool = False) -> tuple[np.ndarray, np.ndarray]:
+    """Where the pixel centres of the furnace are on a sphere of radius 1, rightwards and upwards;
+    `quarter`: of the upper right quarter, which has all that the other three have."""
+    centre = (np.arange(size) + 0.5) / size * 2 - 1
+    right, up = np.meshgrid(centre, -centre)
+    return (
+        (right[: size // 2, size // 2 :], up[: size // 2, size // 2 :]) if quarter else (right, up)
+    )
+
+
+def pixel_cosines(
+    size: int, edge: float = 0.0, quarter: bool = False
+) -> tuple[np.ndarray, np.ndarray]:
     """Cosines at the pixel centres of the furnace, and which pixels count: those whose centre lies on
     the sphere, or further inside than `edge`, a share of the radius."""
-    centre = (np.arange(size) + 0.5) / size * 2 - 1
-    squared = centre[:, None] ** 2 + centre[None, :] ** 2
+    right, up = pixel_places(size, quarter)
+    squared = right**2 + up**2
     return np.sqrt(np.clip(1 - squared, 0, 1)), squared < (1 - edge) ** 2
