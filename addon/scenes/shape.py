@@ -45,14 +45,15 @@ def lathe(
 ) -> bpy.types.Object:
     """Turns `profile`, points (radius, z) from the bottom up with the outside to the right; u goes
     around, v along the profile."""
-    circle = [math.tau * i / segments for i in range(segments)]
-    circle = [(math.cos(angle), math.sin(angle)) for angle in circle]
+    angles = [math.tau * i / segments for i in range(segments)]
+    circle = [(math.cos(angle), math.sin(angle)) for angle in angles]
     vertices: list[Point] = []
     firsts = []
     for radius, z in profile:
         firsts.append(len(vertices))
         vertices += [(radius * x, radius * y, z) for x, y in circle[: segments if radius else 1]]
     faces, uvs = [], []
+    # The last step ends at u = 1, where the first begins at 0.
     around = [(i, (i + 1) % segments, i / segments, (i + 1) / segments) for i in range(segments)]
     last = len(profile) - 1
     for ring in range(last):
