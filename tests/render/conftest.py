@@ -40,6 +40,20 @@ def pytest_itemcollected(item):
         item.add_marker(pytest.mark.xdist_group(item.path.stem))
 
 
+@pytest.fixture(scope="session", autouse=True)
+def groups_are_kept(request):
+    """A pytest that pytest-xdist does not know loses its groups, which doubles the time in silence."""
+    if not getattr(request.config.option, "loadgroup", False):
+        return
+    for item in request.session.items:
+        for group in item.iter_markers("xdist_group"):
+            if not item.nodeid.endswith(f"@{group.args[0]}"):
+                pytest.fail(
+                    f"pytest {pytest.__version__} hides the group of {item.nodeid} from pytest-xdist; "
+                    "use the versions in tests/requirements.txt"
+                )
+
+
 @pytest.fixture(scope="session", params=VERSIONS)
 def blender(request, tmp_path_factory) -> Blender:
     variable = VERSIONS[request.param]
