@@ -1,0 +1,50 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The extension of the checkout inside Blender, under the name that its driver gives it."""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+from pathlib import Path
+from types import ModuleType
+
+import bpy
+
+ROOT = Path(__file__).resolve().parents[3]
+DRIVER = ROOT / "addon" / "driver.py"
+
+
+def _driver() -> ModuleType:
+    spec = importlib.util.spec_from_file_location("nacre_driver", DRIVER)
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+PACKAGE = _driver().PACKAGE
+
+
+def load() -> ModuleType:
+    """The package, imported once until forget()."""
+    return sys.modules.get(PACKAGE) or _driver().load_package()
+
+
+def module(name: str) -> ModuleType:
+    """A module of the extension, such as `nodes.material`."""
+    load()
+    return importlib.import_module(f"{PACKAGE}.{name}")
+
+
+def forget() -> None:
+    """The next load() imports everything anew."""
+    for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
+        del sys.modules[name]
+
+
+def is_off() -> bool:
+    """Whether no class or property of it is registered."""
+    return not hasattr(bpy.types.Scene, "nacre") and not any(
+        name.startswith("NACRE_") for name in dir(bpy.types)
+    )

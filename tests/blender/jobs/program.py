@@ -1,0 +1,31 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Programs that would else have a Blender of their own."""
+
+from __future__ import annotations
+
+import runpy
+import sys
+from pathlib import Path
+
+from . import extension
+
+
+def script(file: str, arguments: list[str]) -> None:
+    """Runs a script, whose own asserts decide, with its folder first on the module path."""
+    sys.argv[:] = [file, *arguments]
+    folder = str(Path(file).parent)
+    # Scripts of one folder share a module; it holds no state, but belongs to this request alone.
+    before = set(sys.modules)
+    sys.path.insert(0, folder)
+    try:
+        runpy.run_path(file, run_name="__main__")
+    finally:
+        for name in set(sys.modules) - before:
+            if str(getattr(sys.modules[name], "__file__", "")).startswith(folder):
+                del sys.modules[name]
+
+
+def render(arguments: list[str]) -> int:
+    """`driver.py render ARGUMENTS`; its exit status."""
+    return extension.module("render").main(["render", *arguments])

@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Where things are: the checkout's folders, and what was built of it.
+
+NACRE names the command-line tool, NACRE_MATERIALS the compiled materials; both default to the release
+build.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+ADDON = ROOT / "addon"
+PACKAGE = ROOT / "cpp_tools" / "python"
+TEMPLATES = ROOT / "osl" / "templates"
+RELEASE = ROOT / "build" / "release"
+
+
+def tool() -> Path:
+    return Path(os.environ.get("NACRE", RELEASE / "bin" / "nacre"))
+
+
+def materials_folder() -> Path:
+    return Path(os.environ.get("NACRE_MATERIALS", RELEASE / "share" / "nacre" / "materials"))
+
+
+@cache
+def manifest(material: str) -> dict:
+    return json.loads((materials_folder() / material / f"{material}.json").read_text("utf-8"))
+
+
+def nacre(*arguments, stdin: str | None = None, env: dict | None = None) -> str:
+    """Standard output of the tool, which must succeed."""
+    done = subprocess.run(
+        [tool(), *map(str, arguments)],
+        input=stdin,
+        capture_output=True,
+        text=True,
+        env={**os.environ, **(env or {})},
+        timeout=900,
+        check=False,
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
