@@ -17,12 +17,11 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-
-import numpy as np
+from typing import Self
 
 from support.images import read_image
 from support.paths import ADDON, PACKAGE, materials_folder
@@ -156,13 +155,18 @@ class Blender:
     python: str
     server: Server
     folder: Path
-    environment: dict[str, str] = field(default_factory=dict)
+    environment: dict[str, str | None] = field(default_factory=dict)
 
     @property
     def surroundings(self) -> dict[str, str]:
-        """Without what the tests' own Python path would add to that of a user."""
-        given = {"NACRE_MATERIALS": str(materials_folder()), "PYTHONWARNINGS": "ignore"}
-        return {**os.environ, **given, **self.environment}
+        """The variables of a process: the package's folder is all of a Python path that it gets."""
+        given = {
+            "NACRE_MATERIALS": str(materials_folder()),
+            "PYTHONPATH": str(PACKAGE),  # an installed extension brings the package in a wheel
+            "PYTHONWARNINGS": "ignore",
+        }
+        found = {**os.environ, **given, **self.environment}
+        return {name: value for name, value in found.items() if value is not None}
 
     def ask(self, call: str, *, fresh: bool = False, **arguments) -> tuple[object, str, str]:
         """Result of a function of jobs/, and what was printed meanwhile."""
@@ -200,10 +204,9 @@ class Blender:
                 found[key] = failed
         return found
 
-    def with_environment(self, **variables: str) -> Blender:
-        return Blender(
-            self.version, self.python, self.server, self.folder, {**self.environment, **variables}
-        )
+    def with_environment(self, **variables: str | None) -> Self:
+        """The same Blender; what is None is not in its environment."""
+        return replace(self, environment={**self.environment, **variables})
 
     def command(self, *arguments: object) -> list[str]:
         return [self.python, *map(str, arguments)]
@@ -243,7 +246,3 @@ class Blenders:
     def close(self) -> None:
         for server in self._servers.values():
             server.close()
-
-
-def python_path(folders: Iterable[Path] = (PACKAGE,)) -> str:
-    return os.pathsep.join(map(str, folders))
