@@ -7,7 +7,8 @@ from __future__ import annotations
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file
+from jobs.extension import load, module
+from steps import new_file
 
 extension = load()
 extension.register()

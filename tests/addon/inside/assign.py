@@ -5,7 +5,8 @@
 from __future__ import annotations
 
 import bpy
-from support import load, module, new_file, refused
+from jobs.extension import load, module
+from steps import new_file, refused
 
 extension = load()
 extension.register()

@@ -9,9 +9,10 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file, refused
+from jobs.extension import load, module
+from steps import new_file, refused
 
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 locked = folder / "locked"
 locked.mkdir()
 locked.chmod(0o555)

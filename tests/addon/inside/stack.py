@@ -9,7 +9,8 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file, refused
+from jobs.extension import load, module
+from steps import new_file, refused
 
 extension = load()
 extension.register()
@@ -17,8 +18,8 @@ materials = module("nodes.material")
 groups = module("nodes.group")
 stack = module("nodes.stack")
 live = module("nodes.live")
-form = sys.argv[3]
-folder = Path(sys.argv[2])
+form = sys.argv[2]
+folder = Path(sys.argv[1])
 
 
 def image_of(material, name):

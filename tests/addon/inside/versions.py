@@ -9,7 +9,8 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file, refused
+from jobs.extension import load, module
+from steps import new_file, refused
 
 extension = load()
 extension.register()
@@ -19,7 +20,7 @@ schema = module("nodes.schema")
 stack = module("nodes.stack")
 live = module("nodes.live")
 problems = module("core.problems")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 BLEND = folder / "Älter 薄膜.blend"
 
 
