@@ -8,9 +8,9 @@ import math
 
 import numpy as np
 import pytest
-from conftest import ROOT, inline
+from support.osl import shader
 
-DEBUG = inline((ROOT / "osl" / "shaders" / "nacre_debug.osl").read_text(encoding="utf-8"))
+DEBUG = shader("nacre_debug")
 NORMAL, UV, TO_CAMERA, TO_LIGHT, THICKNESS, COSINE = range(6)
 SIZE, TILT, SPAN = 16, 0.7, 0.8
 
