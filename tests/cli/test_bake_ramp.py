@@ -10,7 +10,8 @@ import re
 import numpy as np
 import OpenImageIO as oiio
 import pytest
-from test_bake_stack import exact_colour
+
+from support.exact import exact_colour
 
 THICKNESSES = [0, 100, 200, 300, 400]
 OPTIONS = ("--size", "5", "--angle", "40", "--illuminant", "D50")

@@ -11,12 +11,11 @@ import stat
 from pathlib import Path
 
 import pytest
-from conftest import ROOT
-from images import attribute, read
 
-MATERIALS = Path(
-    os.environ.get("NACRE_MATERIALS", ROOT / "build" / "release" / "share" / "nacre" / "materials")
-)
+from support.images import json_attribute, read_all
+from support.paths import materials_folder
+
+MATERIALS = materials_folder()
 FILM = """\
 schema = 1
 [material]
@@ -129,13 +128,13 @@ def test_manifest_and_tables_agree(nacre, film, tmp_path):
         "R_schlick",
     ]
     for table in manifest["tables"]:
-        pixels, attributes = read(folder / table["file"])
+        pixels, attributes = read_all(folder / table["file"])
         assert pixels.shape == (table["height"], table["width"], 3)
         slices = [table["slices"]] if "slices" in table else []
-        axes = attribute(attributes, "axes")
+        axes = json_attribute(attributes, "axes")
         assert axes[: len(table["axes"])] == table["axes"]
         assert [axis["name"] for axis in axes[2:]] == [axis["name"] for axis in slices]
-        assert attribute(attributes, "error") == table["error"]
+        assert json_attribute(attributes, "error") == table["error"]
         assert attributes["nacre:space"] == manifest["space"]
 
 
