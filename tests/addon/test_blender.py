@@ -34,20 +34,17 @@ def test_all_ways_in_which_a_table_is_missing(blender, tmp_path):
 
 
 @pytest.mark.parametrize("form", ["osl", "nodes"])
-def test_stack_is_edited(blender, tmp_path, form):
-    blender = blender.with_materials("oil_on_water")
-    blender.script("stack", tmp_path, form)
+def test_stack_is_edited(blender, tmp_path, form, thin_slick):
+    blender.with_environment(NACRE_MATERIALS=thin_slick).script("stack", tmp_path, form)
 
 
-def test_other_versions_and_damage(blender, tmp_path):
-    blender = blender.with_materials("oil_on_water")
-    blender.script("versions", tmp_path)
+def test_other_versions_and_damage(blender, tmp_path, thin_slick):
+    blender.with_environment(NACRE_MATERIALS=thin_slick).script("versions", tmp_path)
 
 
 @pytest.mark.parametrize("script", ["linked", "storm", "panels", "paths", "copies"])
-def test_bad_input_and_upkeep(blender, tmp_path, script):
-    blender = blender.with_materials("oil_on_water")
-    blender.script(script, tmp_path)
+def test_bad_input_and_upkeep(blender, tmp_path, script, thin_slick):
+    blender.with_environment(NACRE_MATERIALS=thin_slick).script(script, tmp_path)
 
 
 def test_saved_files_render_the_same_without_the_extension(blender, tmp_path):

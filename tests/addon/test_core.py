@@ -15,6 +15,7 @@ from nacre_extension.core.oso import OsoError, bytecode_hash, parse_parameters, 
 from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
 from nacre_extension.core.values import AssignmentError, parse_assignments
 from nacre_extension.core.whole_file import is_whole
+
 from support.paths import FIXTURES
 
 OSO = """OpenShadingLanguage 1.00

@@ -10,6 +10,7 @@ from collections import Counter
 import OpenImageIO as oiio
 import pytest
 from nacre_extension.core.catalogues import catalogue_id, catalogue_text, thumbnail
+
 from support.paths import TEMPLATES
 
 MATERIALS = {

@@ -20,6 +20,7 @@ from nacre_extension.core.stack import (
     read_stack,
     write_template,
 )
+
 from support.paths import TEMPLATES, nacre
 
 FILMS = [

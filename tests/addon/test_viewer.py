@@ -17,6 +17,7 @@ from nacre_extension.core.probe import Film, Reading, measure, seen_from_behind
 from nacre_extension.core.stack import read_stack, write_template
 from nacre_extension.core.view import frame, height_for
 from nacre_extension.core.whole_file import is_whole
+
 from support.images import read_all
 from support.paths import TEMPLATES
 from support.paths import nacre as run_nacre

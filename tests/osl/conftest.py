@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
+
 from blender.harness import Blender
 from support.osl import probe
 

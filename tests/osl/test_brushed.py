@@ -9,6 +9,7 @@ from itertools import product
 
 import numpy as np
 import pytest
+
 from support.facets import smith_lambda, visible_normals
 from support.osl import osl_array
 from support.paths import materials_folder

@@ -9,6 +9,7 @@ import tomllib
 
 import numpy as np
 import pytest
+
 from support.paths import ROOT, TEMPLATES, materials_folder
 
 # Lines of hydrogen and helium that define n_d and the Abbe number, and what a spectrum spans.

@@ -8,6 +8,7 @@ import math
 
 import numpy as np
 import pytest
+
 from support.osl import shader
 
 DEBUG = shader("nacre_debug")

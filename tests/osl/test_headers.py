@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+
 from support.osl import osl_array
 
 tmm = pytest.importorskip("tmm")

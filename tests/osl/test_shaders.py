@@ -9,6 +9,7 @@ import re
 
 import numpy as np
 import pytest
+
 from support.osl import SHADERS, inline, shader
 from support.paths import TEMPLATES, materials_folder
 

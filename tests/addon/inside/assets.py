@@ -7,8 +7,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import bpy
-from jobs.extension import load, module
 from steps import new_file
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()

@@ -5,8 +5,9 @@
 from __future__ import annotations
 
 import bpy
-from jobs.extension import load, module
 from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()

@@ -10,8 +10,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from jobs.extension import load, module
 from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()

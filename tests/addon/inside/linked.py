@@ -8,8 +8,9 @@ import sys
 from pathlib import Path
 
 import bpy
-from jobs.extension import load, module
 from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()

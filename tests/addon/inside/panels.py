@@ -9,8 +9,9 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import bpy
-from jobs.extension import load, module
 from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import bpy
+
 from jobs.extension import load
 
 

@@ -8,8 +8,9 @@ import sys
 from pathlib import Path
 
 import bpy
-from jobs.extension import load
 from steps import new_file, render
+
+from jobs.extension import load
 
 folder, form, name = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 extension = load()

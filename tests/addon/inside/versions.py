@@ -9,8 +9,9 @@ import sys
 from pathlib import Path
 
 import bpy
-from jobs.extension import load, module
 from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -94,11 +95,11 @@ assert tree_of(bpy.context.object.active_material) != tree  # not taken for one 
 
 # Damaged names of sockets: mended, with the values.
 material = assigned()
-materials.set_values(material, {"thickness_nm": 321.0})
+materials.set_values(material, {"thickness_nm": 123.0})
 tree_of(material)[groups.SOCKETS] = "{ broken"
 assert materials.input_socket(material, "thickness_nm") is None
 assert bpy.ops.nacre.rebuild_material() == {"FINISHED"}
-assert materials.input_socket(material, "thickness_nm").default_value == 321.0
+assert materials.input_socket(material, "thickness_nm").default_value == 123.0
 
 # A damaged stack: said, kept out of every handler, reverted.
 for damaged in (7, "schema = ["):

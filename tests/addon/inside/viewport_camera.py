@@ -11,9 +11,10 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import bpy
-from jobs.extension import load, module
 from mathutils import Euler, Matrix, Vector
 from steps import new_file
+
+from jobs.extension import load, module
 
 load()
 aside = module("nodes.camera")
