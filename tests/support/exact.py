@@ -9,15 +9,23 @@ import numpy as np
 GRID = list(range(360, 831))
 
 
-def exact_colour(nacre, n, d_nm, angle_deg, quantity="R", **options):
-    """Linear Rec.709 of a stack without dispersion, from its spectrum at 1 nm."""
-    records = [
-        {"n": n, "d_nm": d_nm, "angle_deg": angle_deg, "wavelength_nm": nm, "pol": "u"}
-        for nm in GRID
+def colours_of_spectra(nacre, stacks, quantity="R", **options):
+    """Linear Rec.709 of stacks without dispersion, each by its spectrum at 1 nm. All in one call:
+    the tool takes longer to start than to compute."""
+    records = [{**stack, "wavelength_nm": nm, "pol": "u"} for stack in stacks for nm in GRID]
+    answers = nacre.evaluate("stack", records)
+    values = np.reshape([answer[quantity] for answer in answers], (len(stacks), len(GRID)))
+    spectra = [
+        {"wavelength_nm": GRID, "values": row, "kind": "reflectance", **options}
+        for row in values.tolist()
     ]
-    values = [answer[quantity] for answer in nacre.evaluate("stack", records)]
-    record = {"wavelength_nm": GRID, "values": values, "kind": "reflectance", **options}
-    return nacre.evaluate("spectrum", record)["rgb"]
+    return np.array([answer["rgb"] for answer in nacre.evaluate("spectrum", spectra)])
+
+
+def exact_colour(nacre, n, d_nm, angle_deg, quantity="R", **options):
+    """That of one stack."""
+    stack = {"n": n, "d_nm": d_nm, "angle_deg": angle_deg}
+    return colours_of_spectra(nacre, [stack], quantity, **options)[0]
 
 
 def exact_colours(nacre, n, d_nm, angles):
