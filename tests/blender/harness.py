@@ -222,10 +222,15 @@ class Blender:
         return self.process(ADDON / "driver.py", "render", *arguments, **options)
 
     @cached_property
-    def blender_ext(self) -> str:
+    def package(self) -> Path:
+        """The folder of its `bpy`, found without starting it."""
+        find = "import importlib.util as u; print(u.find_spec('bpy').submodule_search_locations[0])"
+        return Path(self.process("-c", find).stdout.strip())
+
+    @property
+    def blender_ext(self) -> Path:
         """Blender's own program that builds and checks extensions."""
-        scripts = self.call("facts.scripts_folder")
-        return str(Path(scripts, "addons_core", "bl_pkg", "cli", "blender_ext.py"))
+        return next(self.package.glob("*/scripts/addons_core/bl_pkg/cli/blender_ext.py"))
 
 
 class Blenders:
