@@ -14,14 +14,15 @@ import os
 import select
 import signal
 import subprocess
-import sys
 import tempfile
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Self
+
+import numpy as np
 
 from support.images import read_image
 from support.paths import ADDON, PACKAGE, materials_folder
@@ -30,7 +31,7 @@ HERE = Path(__file__).resolve().parent
 VERSIONS = {"4.5": "NACRE_BPY45", "5.2": "NACRE_BPY52"}
 
 
-class BlenderFailed(AssertionError):
+class BlenderError(AssertionError):
     """A request ended in an exception inside Blender, or took Blender down."""
 
 
@@ -52,7 +53,7 @@ class Server:
 
     def request(self, call: str, arguments: dict, *, environment: Mapping[str, str], folder: Path,
                 fresh: bool, timeout: float = 900.0) -> tuple[object, str, str]:  # fmt: skip
-        """Result, standard output and standard error; raises BlenderFailed."""
+        """Result, standard output and standard error; raises BlenderError."""
         printed = [Path(self._folder.name, name) for name in ("stdout", "stderr")]
         for file in printed:
             file.write_bytes(b"")
@@ -72,7 +73,7 @@ class Server:
         if not answer.get("reusable"):
             self.stop()
         if "error" in answer:
-            raise BlenderFailed(f"{call}: {answer['error']}\n{stdout[-4000:]}\n{stderr[-8000:]}")
+            raise BlenderError(f"{call}: {answer['error']}\n{stdout[-4000:]}\n{stderr[-8000:]}")
         return answer["result"], stdout, stderr
 
     def _exchange(self, line: str, timeout: float) -> dict:
@@ -137,14 +138,27 @@ class Server:
         self._folder.cleanup()
 
 
-class Pictures(dict):
-    """Pictures by key; one that Blender did not give fails whoever asks for it, and no other."""
+class Pictures:
+    """Pictures by what they show, each rendered when it is first asked for; one that Blender does not
+    give fails whoever asks for it, and no other."""
 
-    def __getitem__(self, key):
-        found = super().__getitem__(key)
-        if isinstance(found, BlenderFailed):
+    def __init__(self, blender: Blender, call: str, job: Callable[..., dict]):
+        self._blender, self._call, self._job = blender, call, job
+        self._found: dict[tuple, np.ndarray | BlenderError] = {}
+
+    def __call__(self, *what) -> np.ndarray:
+        if what not in self._found:
+            self._found[what] = self._render(self._job(*what))
+        found = self._found[what]
+        if isinstance(found, BlenderError):
             raise found
         return found
+
+    def _render(self, job: dict) -> np.ndarray | BlenderError:
+        try:
+            return self._blender.picture(self._call, **job)
+        except BlenderError as failed:
+            return failed
 
 
 @dataclass
@@ -182,27 +196,26 @@ class Blender:
         words = [str(argument) for argument in arguments]
         return self.ask("program.script", fresh=True, file=str(file), arguments=words)[1]
 
-    def render(self, *arguments: object) -> subprocess.CompletedProcess:
-        """`driver.py render ARGUMENTS` with factory settings."""
+    def render(self, *arguments: object, fresh: bool = True) -> subprocess.CompletedProcess:
+        """`driver.py render ARGUMENTS`; with factory settings, or else those of the last request."""
         words = [str(argument) for argument in arguments]
-        status, stdout, stderr = self.ask("program.render", fresh=True, arguments=words)
+        status, stdout, stderr = self.ask("program.render", fresh=fresh, arguments=words)
         return subprocess.CompletedProcess(words, status, stdout, stderr)
 
-    def pictures(self, call: str, jobs: Mapping, materials: Path | None = None) -> Pictures:
-        """What a function of jobs/ renders for each job, which gets a `file` to write; of compiled
-        materials elsewhere, if given. After a crash the rest goes on."""
-        if materials:
-            return self.with_environment(NACRE_MATERIALS=str(materials)).pictures(call, jobs)
-        found = Pictures()
-        for key, job in jobs.items():
-            file = self.folder / "picture.exr"
-            file.unlink(missing_ok=True)
-            try:
-                self.call(call, **job, file=str(file))
-                found[key] = read_image(file)
-            except BlenderFailed as failed:
-                found[key] = failed
-        return found
+    def picture(self, call: str, **job) -> np.ndarray:
+        """What a function of jobs/ renders into the `file` that it is given."""
+        file = self.folder / "picture.exr"
+        file.unlink(missing_ok=True)
+        self.call(call, **job, file=str(file))
+        return read_image(file)
+
+    def pictures(
+        self, call: str, job: Callable[..., dict], materials: Path | None = None
+    ) -> Pictures:
+        """Those of a function of jobs/, whose arguments `job` makes of what is asked for; of compiled
+        materials elsewhere, if given."""
+        blender = self.with_environment(NACRE_MATERIALS=str(materials)) if materials else self
+        return Pictures(blender, call, job)
 
     def with_environment(self, **variables: str | None) -> Self:
         """The same Blender; what is None is not in its environment."""

@@ -24,7 +24,7 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from jobs import extension  # noqa: E402
+from jobs import extension
 
 
 def flush() -> None:
@@ -55,7 +55,7 @@ def printing_to(stdout: str, stderr: str) -> Iterator[None]:
 @contextlib.contextmanager
 def surroundings(environment: dict[str, str], folder: str) -> Iterator[None]:
     """The environment and folder of a request, as a process of its own would have them."""
-    kept = dict(os.environ), os.getcwd(), sys.argv[:], sys.path[:], sys.unraisablehook
+    kept = dict(os.environ), Path.cwd(), sys.argv[:], sys.path[:], sys.unraisablehook
     os.environ.clear()
     os.environ.update(environment)
     sys.path[1:1] = filter(None, environment.get("PYTHONPATH", "").split(os.pathsep))

@@ -10,9 +10,9 @@ from itertools import product
 import numpy as np
 import pytest
 
-from support.facets import smith_lambda, visible_normals
 from support.osl import osl_array
 from support.paths import materials_folder
+from support.rough_truth import smith_lambda, visible_normals
 
 BRUSHED = "tempered_stainless_steel"
 CASES = tuple(product((0.0, 0.5, 0.8), (0.35, 0.65), (0, 45, 90), (0.2, 0.5, 0.9)))
@@ -26,14 +26,26 @@ def fit() -> str:
     return found.group()
 
 
+class Lattice:
+    """Stands for a generator of random numbers: the two of each facet lie on an even lattice."""
+
+    size = 256**2
+
+    def __init__(self):
+        steps = (np.arange(256) + 0.5) / 256
+        self._axes = iter(np.meshgrid(steps, steps))
+
+    def random(self, count: int) -> np.ndarray:
+        assert count == self.size
+        return next(self._axes).ravel()
+
+
 def albedo(cosine: float, azimuth: float, alpha: tuple[float, float]) -> float:
     """What perfect mirrors send back in one bounce, masking correlated in height."""
     sine = np.sqrt(1 - cosine**2)
     view = np.array([[sine * np.cos(azimuth), sine * np.sin(azimuth), cosine]])
     alpha = np.array(alpha)
-    steps = (np.arange(256) + 0.5) / 256
-    turn, rise = (grid.ravel() for grid in np.meshgrid(steps, steps))
-    facet = visible_normals(np.broadcast_to(view, (len(turn), 3)), alpha, turn, rise)
+    facet = visible_normals(np.repeat(view, Lattice.size, axis=0), alpha, Lattice())
     out = 2 * (facet @ view[0])[:, None] * facet - view
     leaves = out[:, 2] > 0
     above = smith_lambda(view, alpha)

@@ -19,10 +19,16 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from harness import ROOT, VERSIONS, Blender, delta_e, manifest, nacre
-from truth import pixel_cosines
 
-sys.path.insert(0, str(ROOT / "cpp_tools" / "python"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from blender.harness import VERSIONS, Blender, Blenders
+from support.colours import delta_e
+from support.paths import PACKAGE, ROOT, manifest, nacre
+
+sys.path.insert(0, str(PACKAGE))
+
+from support.truth import pixel_cosines
 
 THICKNESSES = (200.0, 400.0, 800.0, 1600.0)
 WAVELENGTHS = np.arange(360.0, 831.0)
@@ -107,7 +113,8 @@ def measure(blender: Blender) -> dict[tuple[str, float, str], tuple[float, float
         for shader in SHADERS
     ]
     found = {}
-    for job, picture in zip(jobs, blender.run("film_worker.py", jobs), strict=True):
+    for job in jobs:
+        picture = blender.picture("film.render", **job)
         cosines, counted = pixel_cosines(len(picture))
         key = job["what"], job["thickness_nm"], job["shader"]
         found[key] = None
@@ -123,11 +130,12 @@ def measure_all() -> dict[str, dict]:
     with tempfile.TemporaryDirectory() as folder:
         compile_tables(Path(folder))
         os.environ["NACRE_MATERIALS"] = folder
-        return {
-            version: measure(Blender(version, os.environ[variable], Path(folder)))
-            for version, variable in VERSIONS.items()
-            if os.environ.get(variable)
-        }
+        blenders = Blenders()
+        found = {version: blenders.get(version, Path(folder)) for version in VERSIONS}
+        try:
+            return {version: measure(blender) for version, blender in found.items() if blender}
+        finally:
+            blenders.close()
 
 
 def table(found: dict[str, dict]) -> str:

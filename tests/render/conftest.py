@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import os
-import sys
 from pathlib import Path
 
 import pytest
-from harness import ROOT, VERSIONS, Blender
-from report import Report
 
-sys.path.insert(0, str(ROOT / "cpp_tools" / "python"))
-os.environ.setdefault("NACRE_LIBRARY", str(ROOT / "build" / "release" / "lib" / "libnacre.so"))
+from support.paths import ROOT
+from support.report import Report
 
 
 def pytest_addoption(parser):
@@ -27,40 +24,9 @@ def pytest_configure(config):
         raise pytest.UsageError("stored images are refreshed by a person after review, never in CI")
 
 
-def _shares(item) -> bool:
-    """Whether a fixture makes something for all tests of the file."""
-    definitions = item._fixtureinfo.name2fixturedefs.values()
-    return any(last.scope == "module" for *_, last in definitions)
-
-
-def pytest_itemcollected(item):
-    """What shares pictures, and the truth that those of both Blenders are held against, stays in one
-    process."""
-    if _shares(item):
-        item.add_marker(pytest.mark.xdist_group(item.path.stem))
-
-
-@pytest.fixture(scope="session", autouse=True)
-def groups_are_kept(request):
-    """A pytest that pytest-xdist does not know loses its groups, which doubles the time in silence."""
-    if not getattr(request.config.option, "loadgroup", False):
-        return
-    for item in request.session.items:
-        for group in item.iter_markers("xdist_group"):
-            if not item.nodeid.endswith(f"@{group.args[0]}"):
-                pytest.fail(
-                    f"pytest {pytest.__version__} hides the group of {item.nodeid} from pytest-xdist; "
-                    "use the versions in tests/requirements.txt"
-                )
-
-
-@pytest.fixture(scope="session", params=VERSIONS)
-def blender(request, tmp_path_factory) -> Blender:
-    variable = VERSIONS[request.param]
-    python = os.environ.get(variable)
-    if not python:
-        pytest.skip(f"{variable} names no Python with bpy {request.param}")
-    return Blender(request.param, python, tmp_path_factory.mktemp("blender"))
+@pytest.fixture(scope="session")
+def update_refs(request) -> bool:
+    return request.config.getoption("--update-refs")
 
 
 REPORT = Report(Path(os.environ.get("NACRE_REPORT", ROOT / "build" / "report")))

@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from harness import ROOT, manifest, nacre
+
+from support.paths import TEMPLATES, manifest, nacre
 
 HEIGHT = 128
 WAVELENGTHS = np.arange(380.0, 761.0)
@@ -69,7 +70,7 @@ def colour_of_lines() -> np.ndarray:
 
 def first_order_strength(y: np.ndarray, set_up: SetUp, wavelengths: np.ndarray) -> np.ndarray:
     """1 − cos φ of rectangular grooves, φ = 2π n h (cos θ_i' + cos θ_o') / λ inside the cover."""
-    template = tomllib.loads((ROOT / "osl" / "templates" / "cd.toml").read_text("utf-8"))["grating"]
+    template = tomllib.loads((TEMPLATES / "cd.toml").read_text("utf-8"))["grating"]
     cover = template["cover"]["sellmeier"]
     squared = 1 + sum(
         b / (1 - c / (wavelengths / 1000) ** 2) for b, c in zip(cover["b"], cover["c"], strict=True)
@@ -108,21 +109,18 @@ def peak(values: np.ndarray) -> float:
 def test_streak_of_a_cd_peaks_where_the_grating_equation_says(blender, name):
     set_up = SET_UPS[name]
     y = set_up.pixel_y()
-    (picture,) = blender.run(
-        "disc_worker.py",
-        [
-            {
-                "material": "cd",
-                "eye": [0.0, *set_up.eye],
-                "lamp": [0.0, *set_up.lamp],
-                "target": [0.0, set_up.target_y, 0.0],
-                "fov_deg": set_up.fov_deg,
-                "height": HEIGHT,
-                "samples": 4096,
-            }
-        ],
+    picture = blender.picture(
+        "disc.render",
+        material="cd",
+        eye=[0.0, *set_up.eye],
+        lamp=[0.0, *set_up.lamp],
+        target=[0.0, set_up.target_y, 0.0],
+        fov_deg=set_up.fov_deg,
+        height=HEIGHT,
+        samples=4096,
     )
-    column = picture[:, picture.shape[1] // 2]
+    assert picture.shape == (HEIGHT, 1, 3)
+    column = picture[:, 0]
     expected = predicted(y, set_up, manifest("cd"))
     shifts = [peak(column[:, c]) - peak(expected[:, c]) for c in range(3)]
     print(f"{name}, Blender {blender.version}: shifts in pixels", np.round(shifts, 2))

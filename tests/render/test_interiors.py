@@ -8,8 +8,11 @@ import tomllib
 
 import numpy as np
 import pytest
-from harness import delta_e, nacre
-from truth import colour, pixel_cosines, spectra
+
+from support.colours import delta_e
+from support.paths import nacre
+from support.representatives import FORMS
+from support.truth import colour, pixel_cosines, spectra
 
 TEMPLATE = """\
 schema = 1
@@ -35,7 +38,7 @@ SURFACES = {
 }
 SIZE = 24
 SAMPLES = {"matt": 4096, "grey": 4096, "solid": 1024}
-CASES = [(name, form) for name in SURFACES for form in ("osl", "nodes")]
+CASES = [(name, form) for name in SURFACES for form in FORMS]
 
 
 @pytest.fixture(scope="module")
@@ -46,8 +49,9 @@ def pictures(blender, tmp_path_factory):
         files.append(folder / f"{name}.toml")
         files[-1].write_text(TEMPLATE.format(name=name, surface=surface), "utf-8")
     nacre("compile", *files, "-o", folder, "--quiet")
-    jobs = [
-        {
+
+    def job(name: str, form: str) -> dict:
+        return {
             "material": name,
             "form": form,
             "values": {"roughness": 0.0},
@@ -55,25 +59,23 @@ def pictures(blender, tmp_path_factory):
             "size": SIZE,
             "samples": SAMPLES[name],
         }
-        for name, form in CASES
-    ]
-    rendered = blender.run("furnace_worker.py", jobs, folder)
-    return dict(zip(CASES, rendered, strict=True))
+
+    return blender.pictures("furnace.render", job, folder)
 
 
 @pytest.mark.parametrize(("name", "form"), [case for case in CASES if case[0] != "grey"])
 def test_white_stays_white(pictures, name, form):
     _, counted = pixel_cosines(SIZE)
-    picture = pictures[name, form][counted]
+    picture = pictures(name, form)[counted]
     print(f"mean {picture.mean():.5f}, {picture.min():.4f} … {picture.max():.4f}")
     assert picture.max() <= 1 + 1e-3 if name == "matt" else picture.mean() <= 1 + 1e-3
     np.testing.assert_allclose(picture.mean(), 1.0, atol=1e-3)
 
 
-@pytest.mark.parametrize("form", ["osl", "nodes"])
+@pytest.mark.parametrize("form", FORMS)
 def test_grey_base_absorbs(pictures, form):
     _, counted = pixel_cosines(SIZE)
-    picture = pictures["grey", form][counted]
+    picture = pictures("grey", form)[counted]
     assert 0.2 < picture.mean() < 0.8
 
 
@@ -94,9 +96,9 @@ def from_inside(blender, tmp_path_factory):
     folder = tmp_path_factory.mktemp("inside")
     (folder / "fish.toml").write_text(FISH, "utf-8")
     nacre("compile", folder / "fish.toml", "-o", folder, "--quiet")
-    keys = [(form, deg) for form in ("osl", "nodes") for deg in INSIDE_DEG]
-    jobs = [
-        {
+
+    def job(form: str, deg: float) -> dict:
+        return {
             "material": "fish",
             "form": form,
             "values": {"roughness": 0.0},
@@ -105,15 +107,14 @@ def from_inside(blender, tmp_path_factory):
             "size": 8,
             "samples": 16384,
         }
-        for form, deg in keys
-    ]
-    return dict(zip(keys, blender.run("furnace_worker.py", jobs, folder), strict=True))
+
+    return blender.pictures("furnace.render", job, folder)
 
 
 @pytest.mark.parametrize("deg", INSIDE_DEG)
-@pytest.mark.parametrize("form", ["osl", "nodes"])
+@pytest.mark.parametrize("form", FORMS)
 def test_film_seen_from_inside(from_inside, form, deg, record_property):
-    seen = from_inside[form, deg].reshape(-1, 3).mean(axis=0)
+    seen = from_inside(form, deg).reshape(-1, 3).mean(axis=0)
     cosines = np.cos(np.radians([deg]))
     expected = colour(spectra(tomllib.loads(FISH), 300.0, cosines, from_below=True).R)[0]
     error = float(delta_e(seen[None], expected[None])[0])

@@ -10,7 +10,8 @@ import tomllib
 
 import numpy as np
 import pytest
-from harness import ROOT, materials_folder, nacre
+
+from support.paths import TEMPLATES, materials_folder, nacre
 
 LINES_NM = (486.1327, 587.5618, 656.2725)
 GLASSES = ("n_bk7", "sf11", "water", "diamond")
@@ -52,7 +53,7 @@ def world(material: str) -> str:
 
 
 def index(material: str, nm: float) -> float:
-    text = (ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8")
+    text = (TEMPLATES / f"{material}.toml").read_text("utf-8")
     glass = tomllib.loads(text)["glass"]
     if "medium" in glass:
         shown = json.loads(nacre("library", "show", glass["medium"], "--at", nm, "--json"))
@@ -70,14 +71,12 @@ def exit_angle(n: float, incidence: float, apex: float) -> float:
     return outside + tilt
 
 
-CASES = [(name, nm) for name in GLASSES for nm in LINES_NM]
-
-
 @pytest.fixture(scope="module")
 def rays(blender):
-    """Exit angle and wavelength by case."""
-    jobs = [
-        {
+    """Exit angle and wavelength of what came through near a line."""
+
+    def job(material: str, nm: float) -> dict:
+        return {
             "material": material,
             "apex_deg": APEX_DEG,
             "incidence_deg": INCIDENCE_DEG,
@@ -85,14 +84,15 @@ def rays(blender):
             "samples": 2048,
             "world": world(material),
         }
-        for material, nm in CASES
-    ]
-    found = {}
-    for case, picture in zip(CASES, blender.run("prism_worker.py", jobs), strict=True):
-        sine, seen, um = picture.mean(axis=(0, 1))
-        assert seen > 0, case
-        found[case] = np.arcsin(sine / seen - 4.0), 1000 * um / seen
-    return found
+
+    pictures = blender.pictures("prism.render", job)
+
+    def ray(material: str, nm: float) -> tuple[float, float]:
+        sine, seen, um = pictures(material, nm).mean(axis=(0, 1))
+        assert seen > 0
+        return np.arcsin(sine / seen - 4.0), 1000 * um / seen
+
+    return ray
 
 
 @pytest.mark.parametrize("material", GLASSES)
@@ -100,7 +100,7 @@ def test_wedge_sends_each_wavelength_where_snell_s_law_does(blender, rays, mater
     incidence, apex = np.radians(INCIDENCE_DEG), np.radians(APEX_DEG)
     expected, errors = [], []
     for line in LINES_NM:
-        angle, nm = rays[material, line]
+        angle, nm = rays(material, line)
         assert abs(nm - line) < 0.5
         expected.append(exit_angle(index(material, nm), incidence, apex))
         errors.append(angle - expected[-1])

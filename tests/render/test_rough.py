@@ -4,13 +4,12 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 import pytest
-from harness import delta_e
-from rough_truth import furnace_colours
-from truth import exact_colours, material_template, pixel_cosines, pixel_places
+
+from support.colours import delta_e
+from support.stored_truth import RoughFilm, stored_colours
+from support.truth import exact_colours, material_template, pixel_cosines, pixel_places
 
 SIZE, SAMPLES = 12, 4096
 # Pixels of a quarter of the sphere, which has all angles: right, up; cosines, and those that count.
@@ -34,11 +33,14 @@ LIMIT = 0.3
 IN_GAMUT = -1e-4
 
 
-@lru_cache
-def truth(material: str, value: float, roughness: float) -> np.ndarray:
-    distinct, inverse = np.unique(np.round(COSINES[COUNTED], 12), return_inverse=True)
-    alpha = roughness**2
-    return furnace_colours(material_template(material), value, distinct, (alpha, alpha))[inverse]
+@pytest.fixture(scope="session")
+def truth(update_refs):
+    def colours(material: str, value: float, roughness: float) -> np.ndarray:
+        distinct, inverse = np.unique(np.round(COSINES[COUNTED], 9), return_inverse=True)
+        film = RoughFilm(material, value, (roughness**2, roughness**2))
+        return stored_colours(film, distinct, update=update_refs)[inverse]
+
+    return colours
 
 
 def job(material: str, value: float, roughness: float, form: str, exact: int) -> dict:
@@ -59,16 +61,13 @@ def job(material: str, value: float, roughness: float, form: str, exact: int) ->
 
 @pytest.fixture(scope="module")
 def furnaces(blender):
-    jobs = [job(*case, *way) for case in CASES for way in WAYS]
-    pictures = blender.run("furnace_worker.py", jobs)
-    keys = [(*case, *way) for case in CASES for way in WAYS]
-    return dict(zip(keys, pictures, strict=True))
+    return blender.pictures("furnace.render", job)
 
 
 @pytest.mark.parametrize(("form", "exact"), WAYS)
 @pytest.mark.parametrize(("material", "value", "roughness"), CASES)
-def test_rough_film(furnaces, material, value, roughness, form, exact, record_property):
-    picture = furnaces[material, value, roughness, form, exact][COUNTED]
+def test_rough_film(furnaces, truth, material, value, roughness, form, exact, record_property):
+    picture = furnaces(material, value, roughness, form, exact)[COUNTED]
     expected = truth(material, value, roughness)
     if form == "nodes":
         inside = expected.min(axis=1) > IN_GAMUT
@@ -81,10 +80,9 @@ def test_rough_film(furnaces, material, value, roughness, form, exact, record_pr
 
 @pytest.mark.parametrize(("form", "exact"), WAYS)
 @pytest.mark.parametrize("roughness", [0.3, 0.8])
-def test_clear_films_keep_all_light(blender, roughness, form, exact):
+def test_clear_films_keep_all_light(furnaces, roughness, form, exact):
     """What the facets reflect and what they pass, further bounces among it, is what came."""
-    (picture,) = blender.run("furnace_worker.py", [job("soap_film", 400.0, roughness, form, exact)])
-    mean = picture[COUNTED].mean(axis=0)
+    mean = furnaces("soap_film", 400.0, roughness, form, exact)[COUNTED].mean(axis=0)
     print("mean", mean)
     np.testing.assert_allclose(mean, 1.0, atol=2e-3 if exact else 1e-3)
 
@@ -94,10 +92,10 @@ ANGLES = (40.0, 80.0, 130.0)
 
 @pytest.fixture(scope="module")
 def lit(blender):
-    """Highlights of one sharp light over those of a white surface, (material, exact, angle)."""
-    ways = [("anodised_titanium", exact) for exact in (0, 1)] + [(None, 0)]
-    jobs = [
-        {
+    """Highlights of one sharp light over those of a white surface."""
+
+    def under_sun(material: str | None, exact: int, angle: float) -> dict:
+        return {
             **job(material, 52.0, 0.2, "osl", exact),
             "lit": "sun",
             "angle": angle,
@@ -105,21 +103,18 @@ def lit(blender):
             "quarter": False,
             "samples": 16,
         }
-        for material, exact in ways
-        for angle in ANGLES
-    ]
+
+    pictures = blender.pictures("furnace.render", under_sun)
     # Towards grazing views further bounces, which a white Glossy does not have, are not nothing.
     inner = pixel_cosines(48, 0.1)[1][..., None]
-    pictures = iter(blender.run("furnace_worker.py", jobs))
-    pictures = {(*way, angle): next(pictures) for way in ways for angle in ANGLES}
-    return {
-        (exact, angle): np.where(
-            (white > 0.02) & inner, pictures[material, exact, angle] / white, np.nan
-        )
-        for material, exact in ways[:2]
-        for angle in ANGLES
-        for white in [np.maximum(pictures[None, 0, angle], 1e-9)]
-    }
+
+    def colours(exact: int, angle: float) -> np.ndarray:
+        white = np.maximum(pictures(None, 0, angle), 1e-9)
+        seen = (white > 0.02) & inner
+        ratio = np.where(seen, pictures("anodised_titanium", exact, angle) / white, np.nan)
+        return ratio[np.isfinite(ratio).all(axis=-1)]
+
+    return colours
 
 
 @pytest.mark.parametrize("angle", ANGLES)
@@ -128,10 +123,7 @@ def test_highlight_has_the_colour_of_its_facets(lit, angle):
     facet = exact_colours(
         material_template("anodised_titanium"), 52.0, np.cos(np.radians([angle / 2]))
     )["R"]
-    exact = lit[1, angle].reshape(-1, 3)
-    exact = exact[np.isfinite(exact).all(axis=1)]
-    fast = lit[0, angle].reshape(-1, 3)
-    fast = fast[np.isfinite(fast).all(axis=1)]
+    exact, fast = lit(1, angle), lit(0, angle)
     errors = delta_e(exact, np.broadcast_to(facet, exact.shape))
     print(f"exact mean {errors.mean():.3f}, max {errors.max():.3f} of {len(exact)} pixels")
     print("fast mean", delta_e(fast, np.broadcast_to(facet, fast.shape)).mean())
@@ -147,17 +139,22 @@ ANISOTROPY = 0.6
 BRUSHED_LIMITS = {0.2: (0.15, 0.1), 0.35: (0.4, 0.15), 0.5: (0.6, 0.3)}
 
 
-@lru_cache
-def brushed_truth(roughness: float, turned: bool) -> np.ndarray:
+@pytest.fixture(scope="session")
+def brushed_truth(update_refs):
     """Tangents X lie along the horizontal of the picture, or across it: N × X."""
-    x, y = (place[COUNTED] for place in PLACES)
-    z = np.sqrt(1 - x**2 - y**2)
-    # The view (0, 0, 1) along X, which is (1, 0, 0) - N x made unit, and along N × X.
-    along = x * z / np.sqrt(1 - x**2)
-    aside = np.sqrt(np.maximum(0, 1 - z**2 - along**2))
-    azimuths = np.arctan2(along, aside) if turned else np.arctan2(aside, along)
-    alpha = (roughness**2 * (1 - ANISOTROPY), roughness**2 / (1 - ANISOTROPY))
-    return furnace_colours(material_template(BRUSHED), BRUSHED_NM, z, alpha, azimuths)
+
+    def colours(roughness: float, turned: bool) -> np.ndarray:
+        x, y = (place[COUNTED] for place in PLACES)
+        z = np.sqrt(1 - x**2 - y**2)
+        # The view (0, 0, 1) along X, which is (1, 0, 0) - N x made unit, and along N × X.
+        along = x * z / np.sqrt(1 - x**2)
+        aside = np.sqrt(np.maximum(0, 1 - z**2 - along**2))
+        azimuths = np.arctan2(along, aside) if turned else np.arctan2(aside, along)
+        alpha = (roughness**2 * (1 - ANISOTROPY), roughness**2 / (1 - ANISOTROPY))
+        film = RoughFilm(BRUSHED, BRUSHED_NM, alpha, turned=turned)
+        return stored_colours(film, z, azimuths, update=update_refs)
+
+    return colours
 
 
 BRUSHED_CASES = [
@@ -170,16 +167,17 @@ BRUSHED_CASES = [
 
 @pytest.fixture(scope="module")
 def brushed(blender):
-    jobs = []
-    for roughness, turned, form, exact in BRUSHED_CASES:
-        jobs.append(job(BRUSHED, BRUSHED_NM, roughness, form, exact) | {"brush": True})
-        jobs[-1]["values"] |= {"anisotropy": ANISOTROPY, "rotation": 0.25 if turned else 0.0}
-    return dict(zip(BRUSHED_CASES, blender.run("furnace_worker.py", jobs), strict=True))
+    def brushed_job(roughness: float, turned: bool, form: str, exact: int) -> dict:
+        made = job(BRUSHED, BRUSHED_NM, roughness, form, exact) | {"brush": True}
+        made["values"] |= {"anisotropy": ANISOTROPY, "rotation": 0.25 if turned else 0.0}
+        return made
+
+    return blender.pictures("furnace.render", brushed_job)
 
 
 @pytest.mark.parametrize(("roughness", "turned", "form", "exact"), BRUSHED_CASES)
-def test_brushed_film(brushed, roughness, turned, form, exact):
-    picture = brushed[roughness, turned, form, exact]
+def test_brushed_film(brushed, brushed_truth, roughness, turned, form, exact):
+    picture = brushed(roughness, turned, form, exact)
     errors = delta_e(picture[COUNTED], brushed_truth(roughness, turned))
     print(f"dE00 mean {errors.mean():.3f}, max {errors.max():.3f} of {errors.size} pixels")
     assert errors.mean() <= BRUSHED_LIMITS[roughness][exact]

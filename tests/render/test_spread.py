@@ -6,9 +6,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from harness import delta_e
-from rough_truth import furnace_colours
-from truth import exact_colours, material_template, pixel_cosines
+
+from support.colours import delta_e
+from support.representatives import FORMS
+from support.stored_truth import RoughFilm, stored_colours
+from support.truth import exact_colours, material_template, pixel_cosines
 
 SIZE, SAMPLES = 10, 4096
 # material, thickness, its standard deviation, roughness
@@ -36,28 +38,30 @@ def job(case: tuple, form: str) -> dict:
 
 @pytest.fixture(scope="module")
 def furnaces(blender):
-    keys = [(case, form) for case in CASES for form in ("osl", "nodes")]
-    pictures = blender.run("furnace_worker.py", [job(*key) for key in keys])
-    return dict(zip(keys, pictures, strict=True))
+    return blender.pictures("furnace.render", job)
 
 
-def expected(case: tuple, cosines: np.ndarray, spread: float) -> np.ndarray:
-    material, thickness, _, roughness = case
-    template = material_template(material)
-    if roughness == 0.0:
-        return exact_colours(template, thickness, cosines, spread_nm=spread)["R"]
-    alpha = (roughness**2, roughness**2)
-    return furnace_colours(template, thickness, cosines, alpha, spread_nm=spread)
+@pytest.fixture(scope="session")
+def expected(update_refs):
+    def colours(case: tuple, cosines: np.ndarray, spread: float) -> np.ndarray:
+        material, thickness, _, roughness = case
+        if roughness == 0.0:
+            template = material_template(material)
+            return exact_colours(template, thickness, cosines, spread_nm=spread)["R"]
+        film = RoughFilm(material, thickness, (roughness**2, roughness**2), spread)
+        return stored_colours(film, cosines, update=update_refs)
+
+    return colours
 
 
-@pytest.mark.parametrize("form", ["osl", "nodes"])
+@pytest.mark.parametrize("form", FORMS)
 @pytest.mark.parametrize("case", CASES)
-def test_fringes_fade(furnaces, case, form, record_property):
+def test_fringes_fade(furnaces, expected, case, form, record_property):
     cosines, counted = pixel_cosines(SIZE)
-    distinct, inverse = np.unique(np.round(cosines[counted], 12), return_inverse=True)
+    distinct, inverse = np.unique(np.round(cosines[counted], 9), return_inverse=True)
     uneven = expected(case, distinct, case[2])[inverse]
     even = expected(case, distinct, 0.0)[inverse]
-    errors = delta_e(furnaces[case, form][counted], uneven)
+    errors = delta_e(furnaces(case, form)[counted], uneven)
     record_property("dE00", f"mean {errors.mean():.3f}, max {errors.max():.3f}")
     print(f"dE00 mean {errors.mean():.3f}, max {errors.max():.3f}")
     assert errors.mean() <= LIMIT

@@ -5,19 +5,21 @@ spectrum: the stacks of stacks.toml, compiled at the default tolerance."""
 
 from __future__ import annotations
 
-import json
 import tomllib
 from functools import lru_cache
 from pathlib import Path
 
 import numpy as np
 import pytest
-from harness import HERE, delta_e, nacre
-from truth import exact_colours, pixel_cosines
 
-STACKS = tomllib.loads((HERE / "stacks.toml").read_text("utf-8"))
+from support.colours import delta_e
+from support.paths import nacre
+from support.representatives import FORMS
+from support.templates import write_toml
+from support.truth import exact_colours, pixel_cosines
+
+STACKS = tomllib.loads(Path(__file__).with_name("stacks.toml").read_text("utf-8"))
 SCALES = (0.2, 1.0, 2.0)
-FORMS = ("osl", "nodes")
 SIZE = 40
 # ΔE00 over the pixels of a sphere.
 MEAN, LARGEST = 0.01, 0.1
@@ -43,14 +45,6 @@ def template(name: str) -> dict:
     }
 
 
-def toml(value) -> str:
-    if isinstance(value, dict):
-        return "{ " + ", ".join(f"{key} = {toml(item)}" for key, item in value.items()) + " }"
-    if isinstance(value, list):
-        return "[" + ", ".join(map(toml, value)) + "]"
-    return json.dumps(value)
-
-
 @pytest.fixture(scope="session")
 def compiled(tmp_path_factory) -> Path:
     """The stacks as compiled materials."""
@@ -58,18 +52,16 @@ def compiled(tmp_path_factory) -> Path:
     files = []
     for name in STACKS:
         file = folder / f"{name}.toml"
-        file.write_text("".join(f"{key} = {toml(item)}\n" for key, item in template(name).items()))
+        write_toml(file, template(name))
         files.append(file)
     nacre("compile", *files, "-o", folder / "materials", "--quiet")
     return folder / "materials"
 
 
 @pytest.fixture(scope="module")
-def furnaces(blender, compiled) -> dict:
-    """Pictures by (stack, scale, form)."""
-    cases = [(name, scale, form) for name in STACKS for scale in SCALES for form in FORMS]
-    jobs = [
-        {
+def furnaces(blender, compiled):
+    def job(name: str, scale: float, form: str) -> dict:
+        return {
             "material": name,
             "values": {"roughness": 0.0, "thickness_scale": scale},
             "form": form,
@@ -77,10 +69,8 @@ def furnaces(blender, compiled) -> dict:
             "size": SIZE,
             "samples": 1,
         }
-        for name, scale, form in cases
-    ]
-    pictures = blender.run("furnace_worker.py", jobs, compiled)
-    return dict(zip(cases, pictures, strict=True))
+
+    return blender.pictures("furnace.render", job, compiled)
 
 
 @lru_cache
@@ -100,7 +90,7 @@ def test_there_are_enough_stacks():
 @pytest.mark.parametrize("name", STACKS)
 def test_sphere(furnaces, name, scale, form, record_property):
     _, counted = pixel_cosines(SIZE)
-    picture, expected = furnaces[name, scale, form][counted], exact(name, scale)
+    picture, expected = furnaces(name, scale, form)[counted], exact(name, scale)
     if form == "nodes":
         inside = expected.min(axis=1) > IN_GAMUT
         picture, expected = picture[inside], expected[inside]

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -20,13 +21,29 @@ def read_image(file: Path | str) -> np.ndarray:
     return np.asarray(pixels, dtype=np.float64)
 
 
-def write_image(file: Path, pixels: np.ndarray, kind: str = "half") -> None:
-    """Scene-linear RGB as EXR."""
+def read_channels(file: Path | str, names: Sequence[str]) -> tuple[np.ndarray, dict[str, object]]:
+    """Channels by their names, shape (height, width, len(names)), and the file's attributes."""
+    source = oiio.ImageInput.open(str(file))
+    assert source, oiio.geterror()
+    spec = source.spec()
+    pixels = np.asarray(source.read_image(oiio.FLOAT), dtype=np.float64)
+    source.close()
+    attributes = {item.name: item.value for item in spec.extra_attribs}
+    return pixels[..., [spec.channelnames.index(name) for name in names]], attributes
+
+
+def write_channels(
+    file: Path, pixels: np.ndarray, names: Sequence[str], attributes: dict[str, int]
+) -> None:
+    """Half floats as EXR."""
     height, width, channels = pixels.shape
     file.parent.mkdir(parents=True, exist_ok=True)
     target = oiio.ImageOutput.create(str(file))
-    spec = oiio.ImageSpec(width, height, channels, kind)
+    spec = oiio.ImageSpec(width, height, channels, "half")
+    spec.channelnames = tuple(names)
     spec.attribute("compression", "zip")
+    for name, value in attributes.items():
+        spec.attribute(name, value)
     assert target.open(str(file), spec), target.geterror()
     assert target.write_image(pixels.astype(np.float32)), target.geterror()
     target.close()

@@ -9,9 +9,9 @@ from the tool's own; each path multiplies the spectra of the facets that it meet
 from __future__ import annotations
 
 import numpy as np
-from truth import WAVELENGTHS, spectra
 
 import nacre
+from support.truth import WAVELENGTHS, spectra
 
 NODES = np.linspace(0.0, 1.0, 513)
 MOST_BOUNCES = 12

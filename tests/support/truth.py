@@ -12,11 +12,11 @@ import json
 import tomllib
 from functools import lru_cache
 
-import harness
 import numpy as np
-from harness import ROOT
 
 import nacre
+from support.paths import TEMPLATES
+from support.paths import nacre as run_nacre
 
 WAVELENGTHS = list(range(360, 831))
 
@@ -26,7 +26,7 @@ def library_index(key: str) -> tuple[complex, ...]:
     if key == "air":
         return (1.0 + 0.0j,) * len(WAVELENGTHS)
     at = [option for nm in WAVELENGTHS for option in ("--at", nm)]
-    shown = json.loads(harness.nacre("library", "show", key, *at, "--json"))
+    shown = json.loads(run_nacre("library", "show", key, *at, "--json"))
     return tuple(complex(row["n"], row["k"]) for row in shown["at"])
 
 
@@ -59,12 +59,12 @@ def layers_of(template: dict) -> list[dict]:
 
 def material_template(material: str) -> dict:
     """The template of a material of the library."""
-    return tomllib.loads((ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8"))
+    return tomllib.loads((TEMPLATES / f"{material}.toml").read_text("utf-8"))
 
 
 def template_names() -> list[str]:
     """Materials of the library, by the names of their templates."""
-    return sorted(file.stem for file in (ROOT / "osl" / "templates").glob("*.toml"))
+    return sorted(file.stem for file in TEMPLATES.glob("*.toml"))
 
 
 def varied(template: dict) -> dict | None:

@@ -1,9 +1,9 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""A flat disc under a point lamp, seen by a pinhole, inside Blender: arguments JOB.json.
+"""A flat disc under a point lamp, seen by a pinhole, inside Blender.
 
-The job: material, eye, lamp, target (points), fov_deg, height (pixels), samples, file. The picture is
-five pixels wide; its middle column looks along the plane x = 0.
+A job: material, eye, lamp, target (points), fov_deg, height (pixels), samples, file. The picture is
+the middle one of five columns, which looks along the plane x = 0.
 """
 
 from __future__ import annotations
@@ -12,7 +12,9 @@ import math
 
 import bpy
 from mathutils import Vector
-from worker_support import extension, render_picture, run_jobs
+
+from . import extension
+from .pictures import render_picture
 
 WIDTH = 5
 
@@ -43,15 +45,15 @@ def add_camera(scene: bpy.types.Scene, job: dict) -> None:
     scene.camera = camera
 
 
-def render(job: dict) -> None:
+def render(**job) -> None:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
-    compiled = extension("core.library").Library.default().load(job["material"])
-    material = extension("nodes.material").create_material(compiled, "osl")
-    extension("nodes.material").set_values(material, {"roughness": 0.05})
-    extension("nodes.scene").use_osl(scene)
-    extension("nodes.scene").use_wavelengths(scene)
+    compiled = extension.module("core.library").Library.default().load(job["material"])
+    material = extension.module("nodes.material").create_material(compiled, "osl")
+    extension.module("nodes.material").set_values(material, {"roughness": 0.05})
+    extension.module("nodes.scene").use_osl(scene)
+    extension.module("nodes.scene").use_wavelengths(scene)
     disc = add_disc()
     disc.data.materials.append(material)
     add_lamp(scene, job["lamp"])
@@ -59,7 +61,7 @@ def render(job: dict) -> None:
     scene.cycles.pixel_filter_type = "BOX"
     scene.cycles.filter_width = 1.0
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
+    scene.render.use_border = scene.render.use_crop_to_border = True
+    scene.render.border_min_x = (WIDTH // 2) / WIDTH
+    scene.render.border_max_x = (WIDTH // 2 + 1) / WIDTH
     render_picture(scene, WIDTH, job["height"], job["samples"], job["file"])
-
-
-run_jobs(render)

@@ -1,8 +1,8 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Renders furnace spheres inside Blender; one process for many, see Blender.run.
+"""Furnace spheres inside Blender: one, or an atlas of many in one picture.
 
-A job: material, form, values, size, samples, file and `lit`:
+A job of one: material, form, values, size, samples, file and `lit`:
 `all` the plain furnace; `reflected` the world is black for light that passed the film, or glass below
 it; `passed` it is white only for camera rays that went straight through the film. (Cycles meets a
 point sphere from outside only, so that light crosses one wall.) `sun` is one direction, `angle`
@@ -10,6 +10,9 @@ degrees below the camera, and nothing else. Without a material the sphere is whi
 lays the tangent to the camera's right. `spread_nm` makes the thickness uneven by that standard
 deviation. `inside_deg`: in place of the sphere a plane, seen from its back at that angle, as from
 inside of glass. `quarter`: the upper right one of the picture alone.
+
+An atlas: `form`, `cells` (each the material, values, `brush` and `spread_nm` of a sphere), `columns`,
+the `size` of a cell, samples and file. Cells go from left to right and down.
 """
 
 from __future__ import annotations
@@ -18,7 +21,9 @@ import math
 
 import bpy
 from mathutils import Matrix
-from worker_support import extension, render_picture, run_jobs
+
+from . import extension
+from .pictures import render_picture
 
 # Enough for what is left inside a sphere of diamond to be nothing.
 BOUNCES = ("max_bounces", "glossy_bounces", "transmission_bounces", "transparent_max_bounces")
@@ -77,19 +82,20 @@ def white_glossy(roughness: float) -> bpy.types.Material:
 
 
 def film(scene: bpy.types.Scene, job: dict) -> bpy.types.Material:
-    compiled = extension("core.library").Library.default().load(job["material"])
-    material = extension("nodes.material").create_material(compiled, job["form"])
-    extension("nodes.material").set_values(material, job["values"])
+    materials = extension.module("nodes.material")
+    compiled = extension.module("core.library").Library.default().load(job["material"])
+    material = materials.create_material(compiled, job["form"])
+    materials.set_values(material, job["values"])
     if job.get("spread_nm"):
-        source = extension("nodes.thickness").add_source(material, "spread")
+        source = extension.module("nodes.thickness").add_source(material, "spread")
         source.inputs["Spread"].default_value = job["spread_nm"]
     if job.get("brush"):
         right = tuple(scene.camera.matrix_world.col[0].to_3d())
-        extension("nodes.material").set_values(material, {"tangent": right})
+        materials.set_values(material, {"tangent": right})
     if job["form"] == "osl":
-        extension("nodes.scene").use_osl(scene)
+        extension.module("nodes.scene").use_osl(scene)
         if compiled.wavelength_per_path:
-            extension("nodes.scene").use_wavelengths(scene)
+            extension.module("nodes.scene").use_wavelengths(scene)
     return material
 
 
@@ -104,8 +110,14 @@ def place_from_inside(scene: bpy.types.Scene, material: bpy.types.Material, deg:
     scene.collection.objects.link(plane)
 
 
-def render(job: dict) -> None:
-    stage = extension("scenes").build_stage("furnace")
+def keep_all_light(scene: bpy.types.Scene) -> None:
+    scene.cycles.seed = 0
+    for bounces in BOUNCES:
+        setattr(scene.cycles, bounces, 64)
+
+
+def render(**job) -> None:
+    stage = extension.module("scenes").build_stage("furnace")
     scene = stage.scene
     given = job["material"] is not None
     material = film(scene, job) if given else white_glossy(job["values"]["roughness"])
@@ -120,10 +132,27 @@ def render(job: dict) -> None:
     if job.get("quarter"):
         scene.render.use_border = scene.render.use_crop_to_border = True
         scene.render.border_min_x = scene.render.border_min_y = 0.5
-    scene.cycles.seed = 0
-    for bounces in BOUNCES:
-        setattr(scene.cycles, bounces, 64)
+    keep_all_light(scene)
     render_picture(scene, job["size"], job["size"], job["samples"], job["file"])
 
 
-run_jobs(render)
+def seen_by_the_camera_alone(sphere: bpy.types.Object) -> None:
+    """The world is white for whatever leaves the sphere, which is convex and so never meets itself."""
+    for way in ("diffuse", "glossy", "transmission", "volume_scatter", "shadow"):
+        setattr(sphere, f"visible_{way}", False)
+
+
+def atlas(**job) -> None:
+    stage = extension.module("scenes").build_stage("furnace")
+    scene, columns = stage.scene, job["columns"]
+    rows = math.ceil(len(job["cells"]) / columns)
+    scene.camera.data.ortho_scale = 2.0 * max(columns, rows)
+    for at, cell in enumerate(job["cells"]):
+        before = set(scene.objects)
+        stage.place(film(scene, {"form": job["form"], **cell}))
+        (sphere,) = set(scene.objects) - before
+        row, column = divmod(at, columns)
+        sphere.location = (2 * column - columns + 1, rows - 1 - 2 * row, 0)
+        seen_by_the_camera_alone(sphere)
+    keep_all_light(scene)
+    render_picture(scene, columns * job["size"], rows * job["size"], job["samples"], job["file"])

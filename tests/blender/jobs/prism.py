@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Parallel rays through a wedge of glass, inside Blender: arguments JOBS.json, see Blender.run.
+"""Parallel rays through a wedge of glass, inside Blender.
 
 A job: material, apex_deg, incidence_deg, line_nm, samples, file and `world`, an OSL shader that says
 what each direction of the world is worth; its parameter `line_nm` is set.
@@ -13,11 +13,12 @@ import math
 import tempfile
 from pathlib import Path
 
+import _cycles
 import bpy
 from mathutils import Matrix, Vector
-from worker_support import extension, render_picture, run_jobs
 
-import _cycles  # isort: skip
+from . import extension
+from .pictures import render_picture
 
 THICKNESS = 2.0  # along the middle ray
 
@@ -53,6 +54,8 @@ def light(scene: bpy.types.Scene, source: str, line_nm: float) -> None:
     """A script's colour as the background; a script's own background closure stays black."""
     world = scene.world = bpy.data.worlds.new("World")
     world.use_nodes = True
+    # Nothing samples it; a map of where it is bright would take seconds.
+    world.cycles.sampling_method = "NONE"
     background = next(node for node in world.node_tree.nodes if node.type == "BACKGROUND")
     node = world.node_tree.nodes.new("ShaderNodeScript")
     node.mode = "INTERNAL"
@@ -64,14 +67,14 @@ def light(scene: bpy.types.Scene, source: str, line_nm: float) -> None:
     world.node_tree.links.new(node.outputs[0], background.inputs["Color"])
 
 
-def render(job: dict) -> None:
+def render(**job) -> None:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
-    compiled = extension("core.library").Library.default().load(job["material"])
-    material = extension("nodes.material").create_material(compiled, "osl")
-    extension("nodes.scene").use_osl(scene)
-    extension("nodes.scene").use_wavelengths(scene)
+    compiled = extension.module("core.library").Library.default().load(job["material"])
+    material = extension.module("nodes.material").create_material(compiled, "osl")
+    extension.module("nodes.scene").use_osl(scene)
+    extension.module("nodes.scene").use_wavelengths(scene)
     incidence, apex = math.radians(job["incidence_deg"]), math.radians(job["apex_deg"])
     for item in (
         face(scene, Vector((0, 0, 0)), incidence, up=True),
@@ -82,6 +85,3 @@ def render(job: dict) -> None:
     add_camera(scene)
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
     render_picture(scene, 4, 4, job["samples"], job["file"])
-
-
-run_jobs(render)

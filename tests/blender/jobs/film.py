@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""One film on the furnace sphere by several shaders, inside Blender: arguments JOBS.json.
+"""One film on the furnace sphere by several shaders, inside Blender.
 
 A job: shader (`blender`, `live` or `table`), film_n, substrate ([n, k]), thickness_nm and file; `live`
 has `osl`, the text of nacre_thin_film; `table` has `material` and `thickness_socket`. Where Blender's
@@ -12,7 +12,9 @@ from __future__ import annotations
 from types import SimpleNamespace
 
 import bpy
-from worker_support import extension, render_picture, run_jobs
+
+from . import extension
+from .pictures import render_picture
 
 SIZE = 24
 
@@ -75,25 +77,22 @@ def live_film(job: dict, script) -> bpy.types.Material:
     return connect(material, node, output)
 
 
-def render(job: dict) -> None:
-    stage = extension("scenes").build_stage("furnace")
+def render(**job) -> None:
+    stage = extension.module("scenes").build_stage("furnace")
     scene = stage.scene
     if job["shader"] == "blender":
         material = blender_film(job)
     elif job["shader"] == "live":
-        material = live_film(job, extension("nodes.script"))
-        extension("nodes.scene").use_osl(scene)
+        material = live_film(job, extension.module("nodes.script"))
+        extension.module("nodes.scene").use_osl(scene)
     else:
-        compiled = extension("core.library").Library.default().load(job["material"])
-        material = extension("nodes.material").create_material(compiled, "nodes")
+        compiled = extension.module("core.library").Library.default().load(job["material"])
+        material = extension.module("nodes.material").create_material(compiled, "nodes")
         values = {job["thickness_socket"]: job["thickness_nm"], "roughness": 0.0}
-        extension("nodes.material").set_values(material, values)
+        extension.module("nodes.material").set_values(material, values)
     if material is None:
         scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = -1.0
     else:
         stage.place(material)
     # One sample, at the centre of a pixel, where the truth is evaluated.
     render_picture(scene, SIZE, SIZE, 1, job["file"])
-
-
-run_jobs(render)

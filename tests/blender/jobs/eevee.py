@@ -1,0 +1,47 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Spheres of films as nodes under white light, by EEVEE: an atlas, as in furnace.py.
+
+EEVEE draws no points, so the spheres are meshes; the stage is else that of the furnace.
+"""
+
+from __future__ import annotations
+
+import math
+
+import bpy
+
+from . import extension
+
+
+def engine(scene: bpy.types.Scene) -> str:
+    engines = scene.render.bl_rna.properties["engine"].enum_items.keys()
+    return "BLENDER_EEVEE_NEXT" if "BLENDER_EEVEE_NEXT" in engines else "BLENDER_EEVEE"
+
+
+def atlas(**job) -> None:
+    """`cells` (material, values), `columns`, the `size` of a cell, samples, file."""
+    materials = extension.module("nodes.material")
+    library = extension.module("core.library").Library.default()
+    add_sphere = extension.module("scenes.shape").sphere
+    scene = extension.module("scenes").build_stage("furnace").scene
+    columns = job["columns"]
+    rows = math.ceil(len(job["cells"]) / columns)
+    scene.camera.data.ortho_scale = 2.0 * max(columns, rows)
+    for at, cell in enumerate(job["cells"]):
+        row, column = divmod(at, columns)
+        place = (2.0 * column - columns + 1, rows - 1.0 - 2 * row, 0.0)
+        ball = add_sphere(scene, f"Ball {at}", place, 1.0, rings=128)
+        material = materials.create_material(library.load(cell["material"]), "nodes")
+        materials.set_values(material, cell["values"])
+        ball.data.materials.append(material)
+    scene.render.engine = engine(scene)
+    scene.eevee.taa_render_samples = job["samples"]
+    scene.render.filter_size = 0.0
+    render = scene.render
+    render.resolution_x, render.resolution_y = columns * job["size"], rows * job["size"]
+    render.resolution_percentage = 100
+    render.image_settings.file_format = "OPEN_EXR"
+    render.image_settings.color_depth = "32"
+    render.filepath = job["file"]
+    bpy.ops.render.render(write_still=True)
