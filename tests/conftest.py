@@ -23,19 +23,24 @@ def blenders():
 
 
 @pytest.fixture(scope="session", params=VERSIONS)
-def blender(request, blenders, tmp_path_factory) -> Blender:
+def blender_version(request) -> str:
     """Each version that is there; tests are skipped, with a word, for the others."""
     version = request.param
-    found = blenders.get(version, tmp_path_factory.mktemp(f"blender-{version}"))
-    if found is None:
+    if not os.environ.get(VERSIONS[version]):
         pytest.skip(f"{VERSIONS[version]} names no Python with bpy {version}")
-    return found
+    return version
+
+
+@pytest.fixture(scope="session")
+def blender(blender_version, blenders, tmp_path_factory) -> Blender:
+    """A suite may override it by one of another scope."""
+    return blenders.get(blender_version, tmp_path_factory.mktemp(f"blender-{blender_version}"))
 
 
 def _version(item) -> str | None:
     """Of the Blender that a test asks."""
-    if hasattr(item, "callspec") and "blender" in item.callspec.params:
-        return item.callspec.params["blender"]
+    if hasattr(item, "callspec") and "blender_version" in item.callspec.params:
+        return item.callspec.params["blender_version"]
     return "4.5" if "blender45" in item.fixturenames else None
 
 

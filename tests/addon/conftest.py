@@ -1,98 +1,100 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Runs scripts inside Blender: the bpy wheels named by NACRE_BPY45 and NACRE_BPY52 (Python programs)."""
+"""Blenders that have the extension's folder, and for each test a user folder and materials."""
 
 from __future__ import annotations
 
 import importlib.util
-import os
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-FIXTURES = HERE / "fixtures"
-PACKAGE = ROOT / "cpp_tools" / "python"
-LINES = {"4.5": "NACRE_BPY45", "5.2": "NACRE_BPY52"}
+from blender.harness import Blender
+from support.paths import ADDON, FIXTURES, STAGE_EXTENSION, TEMPLATES, materials_folder, nacre
 
-sys.path.insert(0, str(PACKAGE))
+INSIDE = Path(__file__).resolve().parent / "inside"
 
 
 def _load_extension():
-    spec = importlib.util.spec_from_file_location("nacre_driver", ROOT / "addon" / "driver.py")
+    spec = importlib.util.spec_from_file_location("nacre_driver", ADDON / "driver.py")
     driver = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(driver)
-    return driver.load_package("nacre_extension")
+    return driver.load_package()
 
 
 _load_extension()
 
 
-class Blender:
-    """One line of Blender, each run in a process and a user folder of its own."""
-
-    def __init__(self, python: str, scratch: Path):
-        self.python = python
-        self.environment = {
-            **os.environ,
-            "BLENDER_USER_RESOURCES": str(scratch / "user"),
-            "NACRE_MATERIALS": str(FIXTURES),
-            "PYTHONWARNINGS": "ignore",
-            # The extension's wheel brings the package where it is installed.
-            "PYTHONPATH": str(PACKAGE),
-        }
-        (scratch / "user").mkdir(parents=True, exist_ok=True)
-
-    def command(self, *arguments: object) -> list[str]:
-        return [self.python, *map(str, arguments)]
-
-    def run(self, *arguments: object, **options) -> subprocess.CompletedProcess:
-        return subprocess.run(
-            self.command(*arguments), env=self.environment, capture_output=True, text=True,
-            timeout=600, check=False, **options,
-        )  # fmt: skip
+class ExtensionBlender(Blender):
+    """`folder` is the test's own: what is found there was left by what it tests."""
 
     def script(self, name: str, *arguments: object) -> str:
-        """Runs tests/addon/inside/NAME.py, whose own asserts decide; returns what it printed."""
-        done = self.run(HERE / "inside" / f"{name}.py", ROOT / "addon", *arguments)
+        """Runs inside/NAME.py, whose own asserts decide; returns what it printed."""
+        return super().script(INSIDE / f"{name}.py", *arguments)
+
+    def script_process(self, name: str, *arguments: object) -> None:
+        """The same in a process of its own."""
+        done = self.process(INSIDE / f"{name}.py", *arguments)
         assert done.returncode == 0, f"{done.stdout[-4000:]}\n{done.stderr[-8000:]}"
-        return done.stdout
 
-    def render(self, *arguments: object) -> subprocess.CompletedProcess:
-        return self.run(ROOT / "addon" / "driver.py", "render", *arguments)
-
-    @property
-    def blender_ext(self) -> str:
-        find = "import bpy; print(bpy.utils.system_resource('SCRIPTS'))"
-        scripts = self.run("-c", find).stdout.strip().splitlines()[-1]
-        return str(Path(scripts, "addons_core", "bl_pkg", "cli", "blender_ext.py"))
+    def with_materials(self, *names: str) -> ExtensionBlender:
+        """With these materials alone, as they were built."""
+        library = self.folder / "library"
+        library.mkdir()
+        for name in names:
+            (library / name).symlink_to(materials_folder().absolute() / name)
+        return self.with_environment(NACRE_MATERIALS=str(library))
 
 
-@pytest.fixture(params=LINES)
-def blender(request, tmp_path) -> Blender:
-    python = os.environ.get(LINES[request.param])
-    if not python:
-        pytest.skip(f"{LINES[request.param]} names no Python with bpy {request.param}")
-    return Blender(python, tmp_path)
+def _own(shared: Blender, folder: Path) -> ExtensionBlender:
+    user = folder / "user"
+    user.mkdir()
+    environment = {"BLENDER_USER_RESOURCES": str(user), "NACRE_MATERIALS": str(FIXTURES)}
+    return ExtensionBlender(shared.version, shared.python, shared.server, folder, environment)
 
 
 @pytest.fixture
-def blender45(tmp_path) -> Blender:
-    return Blender(os.environ.get("NACRE_BPY45", sys.executable), tmp_path)
+def blender(blender, tmp_path) -> ExtensionBlender:
+    return _own(blender, tmp_path)
 
 
 @pytest.fixture
-def library(tmp_path):
-    """A folder with these materials, compiled by the tool that NACRE names."""
+def blender45(blenders, tmp_path) -> ExtensionBlender:
+    """For what does not depend on the version."""
+    shared = blenders.get("4.5", tmp_path)
+    if shared is None:
+        pytest.skip("NACRE_BPY45 names no Python with bpy 4.5")
+    return _own(shared, tmp_path)
 
-    def compile_into(*names: str) -> Path:
-        templates = [ROOT / "osl" / "templates" / f"{name}.toml" for name in names]
-        tool = os.environ.get("NACRE", ROOT / "build" / "release" / "bin" / "nacre")
-        folder = tmp_path / "library"
-        subprocess.run([tool, "compile", *templates, "--quiet", "-o", folder], check=True)
-        return folder
 
-    return compile_into
+@pytest.fixture(scope="session")
+def thin_slick(tmp_path_factory) -> str:
+    """A library of `oil_on_water` alone, up to 200 nm and not 1200: its tables are smaller, so that
+    each edit of its stack compiles in a third of the time."""
+    folder = tmp_path_factory.mktemp("slick")
+    text = (TEMPLATES / "oil_on_water.toml").read_text("utf-8")
+    whole = "default = 450, min = 0, max = 1200"
+    assert whole in text
+    template = folder / "oil_on_water.toml"
+    template.write_text(text.replace(whole, "default = 150, min = 0, max = 200"), "utf-8")
+    nacre("compile", template, "--quiet", "-o", folder / "library")
+    return str(folder / "library")
+
+
+@pytest.fixture(scope="session")
+def archive(blenders, tmp_path_factory) -> Path:
+    """The extension with the fixtures as its materials and without a wheel."""
+    folder = tmp_path_factory.mktemp("archive")
+    shared = blenders.get("4.5", folder)
+    if shared is None:
+        pytest.skip("NACRE_BPY45 names no Python with bpy 4.5")
+    path = folder / "nacre.zip"
+    done = subprocess.run(
+        [sys.executable, STAGE_EXTENSION, "--blender-ext", shared.blender_ext,
+         "--materials", FIXTURES, "-o", path],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    return path

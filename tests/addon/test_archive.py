@@ -10,21 +10,7 @@ import sys
 import tomllib
 import zipfile
 
-import pytest
-from conftest import FIXTURES, ROOT
-
-STAGE = ROOT / "cpp_tools" / "generators" / "stage_extension.py"
-
-
-@pytest.fixture
-def archive(blender45, tmp_path):
-    path = tmp_path / "nacre.zip"
-    done = subprocess.run(
-        [sys.executable, STAGE, "--blender-ext", blender45.blender_ext, "--materials", FIXTURES, "-o", path],
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stdout + done.stderr
-    return path
+from support.paths import ADDON, ROOT, STAGE_EXTENSION
 
 
 def test_archive_carries_the_version_and_the_materials(archive):
@@ -39,12 +25,12 @@ def test_archive_carries_the_version_and_the_materials(archive):
 
 
 def test_manifest_states_the_project_version():
-    manifest = tomllib.loads((ROOT / "addon" / "blender_manifest.toml").read_text("utf-8"))
+    manifest = tomllib.loads((ADDON / "blender_manifest.toml").read_text("utf-8"))
     assert f"VERSION {manifest['version']} " in (ROOT / "CMakeLists.txt").read_text()
 
 
 def test_wheels_name_their_platforms(monkeypatch):
-    monkeypatch.syspath_prepend(STAGE.parent)
+    monkeypatch.syspath_prepend(STAGE_EXTENSION.parent)
     from pathlib import Path
 
     import stage_extension
@@ -58,9 +44,10 @@ def test_wheels_name_their_platforms(monkeypatch):
     }
 
 
-def test_archive_without_materials_is_refused(blender45, tmp_path):
+def test_archive_without_materials_is_refused(tmp_path):
     done = subprocess.run(
-        [sys.executable, STAGE, "--blender-ext", "unused", "--materials", tmp_path, "-o", tmp_path / "x.zip"],
+        [sys.executable, STAGE_EXTENSION, "--blender-ext", "unused",
+         "--materials", tmp_path, "-o", tmp_path / "x.zip"],
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 1
@@ -69,5 +56,4 @@ def test_archive_without_materials_is_refused(blender45, tmp_path):
 
 
 def test_installs_through_the_operator(blender, archive):
-    del blender.environment["NACRE_MATERIALS"]
-    blender.script("install", archive, "test_film")
+    blender.with_environment(NACRE_MATERIALS=None).script_process("install", archive, "test_film")

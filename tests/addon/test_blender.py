@@ -19,8 +19,8 @@ def test_thickness_varies(blender, tmp_path):
     blender.script("thickness", tmp_path)
 
 
-def test_materials_are_in_the_asset_browser(blender, library):
-    blender.environment["NACRE_MATERIALS"] = str(library("tempered_steel", "water"))
+def test_materials_are_in_the_asset_browser(blender):
+    blender = blender.with_materials("tempered_steel", "water")
     blender.script("assets")
 
 
@@ -34,33 +34,32 @@ def test_all_ways_in_which_a_table_is_missing(blender, tmp_path):
 
 
 @pytest.mark.parametrize("form", ["osl", "nodes"])
-def test_stack_is_edited(blender, tmp_path, form, library):
-    blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
-    blender.script("stack", tmp_path, form)
+def test_stack_is_edited(blender, tmp_path, form, thin_slick):
+    blender.with_environment(NACRE_MATERIALS=thin_slick).script("stack", tmp_path, form)
 
 
-def test_other_versions_and_damage(blender, tmp_path, library):
-    blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
-    blender.script("versions", tmp_path)
+def test_other_versions_and_damage(blender, tmp_path, thin_slick):
+    blender.with_environment(NACRE_MATERIALS=thin_slick).script("versions", tmp_path)
 
 
 @pytest.mark.parametrize("script", ["linked", "storm", "panels", "paths", "copies"])
-def test_bad_input_and_upkeep(blender, tmp_path, library, script):
-    blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
-    blender.script(script, tmp_path)
+def test_bad_input_and_upkeep(blender, tmp_path, script, thin_slick):
+    blender.with_environment(NACRE_MATERIALS=thin_slick).script(script, tmp_path)
 
 
-@pytest.mark.parametrize(
-    ("form", "material"), [("osl", "test_film"), ("nodes", "test_film"), ("osl", "test_grating")]
-)
-def test_saved_file_renders_the_same_without_the_extension(blender, tmp_path, form, material):
-    blender.script("save", tmp_path, form, material)
-    blender.environment["NACRE_MATERIALS"] = str(tmp_path / "nowhere")
-    blender.script("reopen", tmp_path)
+def test_saved_files_render_the_same_without_the_extension(blender, tmp_path):
+    """In a Blender that has never seen it."""
+    saved = []
+    for form, material in (("osl", "test_film"), ("nodes", "test_film"), ("osl", "test_grating")):
+        saved.append(tmp_path / f"{form}_{material}")
+        saved[-1].mkdir()
+        blender.script("save", saved[-1], form, material)
+    nowhere = blender.with_environment(NACRE_MATERIALS=str(tmp_path / "nowhere"))
+    nowhere.script_process("reopen", *saved)
 
 
-def test_osl_asks_for_no_file_without_a_name(blender, tmp_path, library):
+def test_osl_asks_for_no_file_without_a_name(blender, tmp_path):
     """Packed tables are looked up outside the shader; Cycles 5.2 tells of textures that it cannot find."""
-    blender.environment["NACRE_MATERIALS"] = str(library("oil_on_water"))
+    blender = blender.with_materials("oil_on_water")
     printed = blender.script("save", tmp_path, "osl", "oil_on_water")
     assert "Failed to load" not in printed

@@ -8,7 +8,6 @@ import json
 import shutil
 
 import pytest
-from conftest import FIXTURES
 from nacre_extension.core.form import FormError, Renderer, choose_form
 from nacre_extension.core.library import Library
 from nacre_extension.core.manifest import ManifestError, load_folder
@@ -16,6 +15,8 @@ from nacre_extension.core.oso import OsoError, bytecode_hash, parse_parameters, 
 from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
 from nacre_extension.core.values import AssignmentError, parse_assignments
 from nacre_extension.core.whole_file import is_whole
+
+from support.paths import FIXTURES
 
 OSO = """OpenShadingLanguage 1.00
 # Compiled by oslc 1.14.4.0dev

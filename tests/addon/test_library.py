@@ -9,25 +9,26 @@ from collections import Counter
 
 import OpenImageIO as oiio
 import pytest
-from conftest import ROOT
 from nacre_extension.core.catalogues import catalogue_id, catalogue_text, thumbnail
 
-TEMPLATES = {
+from support.paths import TEMPLATES
+
+MATERIALS = {
     path.stem: tomllib.loads(path.read_text("utf-8"))["material"]
-    for path in sorted((ROOT / "osl" / "templates").glob("*.toml"))
+    for path in sorted(TEMPLATES.glob("*.toml"))
 }
 
 
 def test_there_is_much_to_choose_from():
-    catalogues = Counter(material["category"] for material in TEMPLATES.values())
-    assert len(TEMPLATES) >= 48
+    catalogues = Counter(material["category"] for material in MATERIALS.values())
+    assert len(MATERIALS) >= 48
     assert len({category.split("/")[0] for category in catalogues}) >= 8
-    assert len({material["name"] for material in TEMPLATES.values()}) == len(TEMPLATES)
+    assert len({material["name"] for material in MATERIALS.values()}) == len(MATERIALS)
 
 
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", MATERIALS)
 def test_each_material_says_what_it_is(name):
-    material = TEMPLATES[name]
+    material = MATERIALS[name]
     assert len(material["category"].split("/")) == 2
     assert material["description"][0].isupper()
     assert not material["description"].endswith(".")
@@ -38,7 +39,7 @@ def test_each_material_says_what_it_is(name):
     assert (material["status"] == "typical") == admits, material["source"]
 
 
-@pytest.mark.parametrize("name", TEMPLATES)
+@pytest.mark.parametrize("name", MATERIALS)
 def test_each_material_has_a_picture(name):
     picture = oiio.ImageBuf(str(thumbnail(name)))
     assert (picture.spec().width, picture.spec().height) == (256, 256)
@@ -47,7 +48,7 @@ def test_each_material_has_a_picture(name):
 
 
 def test_no_picture_is_left_over():
-    assert {path.stem for path in thumbnail("x").parent.glob("*")} == set(TEMPLATES)
+    assert {path.stem for path in thumbnail("x").parent.glob("*")} == set(MATERIALS)
 
 
 def test_catalogues_keep_their_identifiers():

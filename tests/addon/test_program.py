@@ -15,7 +15,6 @@ import tempfile
 from pathlib import Path
 
 import pytest
-from test_archive import archive  # noqa: F401 - a fixture
 
 PROGRAM = os.environ.get("NACRE_BLENDER")
 pytestmark = pytest.mark.skipif(not PROGRAM, reason="NACRE_BLENDER names no Blender")
@@ -38,7 +37,7 @@ def blender(*arguments: str) -> subprocess.CompletedProcess:
     )
 
 
-def test_installs_and_renders_as_nodes(archive, exchange):  # noqa: F811
+def test_installs_and_renders_as_nodes(archive, exchange):
     shutil.copyfile(archive, exchange / "nacre.zip")
     done = blender(
         "--command", "extension", "install-file", "-r", "user_default", "-e",

@@ -5,13 +5,10 @@
 from __future__ import annotations
 
 import json
-import os
-import subprocess
 import tomllib
 
 import numpy as np
 import pytest
-from conftest import ROOT
 from nacre_extension.core import plot
 from nacre_extension.core.stack import (
     TECHNIQUES,
@@ -24,10 +21,13 @@ from nacre_extension.core.stack import (
     write_template,
 )
 
-TEMPLATES = sorted((ROOT / "osl" / "templates").glob("*.toml"))
-FILMS = [path for path in TEMPLATES if "[ambient]" in path.read_text("utf-8")]
-SOAP = (ROOT / "osl" / "templates" / "soap_film.toml").read_text("utf-8")
-BEETLE = (ROOT / "osl" / "templates" / "jewel_beetle.toml").read_text("utf-8")
+from support.paths import TEMPLATES, nacre
+
+FILMS = [
+    path for path in sorted(TEMPLATES.glob("*.toml")) if "[ambient]" in path.read_text("utf-8")
+]
+SOAP = (TEMPLATES / "soap_film.toml").read_text("utf-8")
+BEETLE = (TEMPLATES / "jewel_beetle.toml").read_text("utf-8")
 
 
 def unrolled(data: dict) -> dict:
@@ -68,10 +68,7 @@ def test_technique_is_kept(text, technique):
 
 
 def test_techniques_are_those_of_the_reader():
-    done = subprocess.run(
-        [os.environ["NACRE"], "library", "schema"], capture_output=True, text=True, check=True
-    )
-    schema = json.loads(done.stdout)
+    schema = json.loads(nacre("library", "schema"))
     names = schema["properties"]["stack"]["properties"]["technique"]["enum"]
     assert list(TECHNIQUES) == names
 

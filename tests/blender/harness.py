@@ -17,14 +17,15 @@ import subprocess
 import tempfile
 import time
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Self
 
 import numpy as np
 
 from support.images import read_image
-from support.paths import ADDON, materials_folder
+from support.paths import ADDON, PACKAGE, materials_folder
 
 HERE = Path(__file__).resolve().parent
 VERSIONS = {"4.5": "NACRE_BPY45", "5.2": "NACRE_BPY52"}
@@ -168,13 +169,18 @@ class Blender:
     python: str
     server: Server
     folder: Path
-    environment: dict[str, str] = field(default_factory=dict)
+    environment: dict[str, str | None] = field(default_factory=dict)
 
     @property
     def surroundings(self) -> dict[str, str]:
-        """Without what the tests' own Python path would add to that of a user."""
-        given = {"NACRE_MATERIALS": str(materials_folder()), "PYTHONWARNINGS": "ignore"}
-        return {**os.environ, **given, **self.environment}
+        """The variables of a process: the package's folder is all of a Python path that it gets."""
+        given = {
+            "NACRE_MATERIALS": str(materials_folder()),
+            "PYTHONPATH": str(PACKAGE),  # an installed extension brings the package in a wheel
+            "PYTHONWARNINGS": "ignore",
+        }
+        found = {**os.environ, **given, **self.environment}
+        return {name: value for name, value in found.items() if value is not None}
 
     def ask(self, call: str, *, fresh: bool = False, **arguments) -> tuple[object, str, str]:
         """Result of a function of jobs/, and what was printed meanwhile."""
@@ -211,10 +217,9 @@ class Blender:
         blender = self.with_environment(NACRE_MATERIALS=str(materials)) if materials else self
         return Pictures(blender, call, job)
 
-    def with_environment(self, **variables: str) -> Blender:
-        return Blender(
-            self.version, self.python, self.server, self.folder, {**self.environment, **variables}
-        )
+    def with_environment(self, **variables: str | None) -> Self:
+        """The same Blender; what is None is not in its environment."""
+        return replace(self, environment={**self.environment, **variables})
 
     def command(self, *arguments: object) -> list[str]:
         return [self.python, *map(str, arguments)]
@@ -230,10 +235,15 @@ class Blender:
         return self.process(ADDON / "driver.py", "render", *arguments, **options)
 
     @cached_property
-    def blender_ext(self) -> str:
+    def package(self) -> Path:
+        """The folder of its `bpy`, found without starting it."""
+        find = "import importlib.util as u; print(u.find_spec('bpy').submodule_search_locations[0])"
+        return Path(self.process("-c", find).stdout.strip())
+
+    @property
+    def blender_ext(self) -> Path:
         """Blender's own program that builds and checks extensions."""
-        scripts = self.call("facts.scripts_folder")
-        return str(Path(scripts, "addons_core", "bl_pkg", "cli", "blender_ext.py"))
+        return next(self.package.glob("*/scripts/addons_core/bl_pkg/cli/blender_ext.py"))
 
 
 def server_command(python: str) -> list[str]:

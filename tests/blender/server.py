@@ -58,6 +58,7 @@ def surroundings(environment: dict[str, str], folder: str) -> Iterator[None]:
     kept = dict(os.environ), Path.cwd(), sys.argv[:], sys.path[:], sys.unraisablehook
     os.environ.clear()
     os.environ.update(environment)
+    sys.path[1:1] = filter(None, environment.get("PYTHONPATH", "").split(os.pathsep))
     os.chdir(folder)
     try:
         yield

@@ -8,7 +8,8 @@ import colour
 import numpy as np
 import OpenImageIO as oiio
 import pytest
-from images import attribute, read, spec
+
+from support.images import json_attribute, read_all, spec_of
 
 OBSERVERS = {
     "cie1931": "CIE 1931 2 Degree Standard Observer",
@@ -25,14 +26,14 @@ def cmfs(observer):
 def test_float_texels_are_the_published_values(nacre, tmp_path, observer):
     path = tmp_path / "cmf.exr"
     nacre.ok("bake", "cmf", "--observer", observer, "-o", path)
-    pixels, attributes = read(path)
+    pixels, attributes = read_all(path)
     assert pixels.shape == (1, 471, 3)
     assert np.max(np.abs(pixels[0] - cmfs(observer))) < 1e-6
     assert attributes["nacre:observer"] == observer
     assert attributes["nacre:quantity"] == "colour_matching_functions"
     assert attributes["colorInteropID"] == "data"
     assert attributes["nacre:schema"] == 1
-    assert attribute(attributes, "axes") == [
+    assert json_attribute(attributes, "axes") == [
         {"name": "wavelength", "unit": "nm", "min": 360.0, "max": 830.0, "mapping": "linear"}
     ]
 
@@ -40,19 +41,19 @@ def test_float_texels_are_the_published_values(nacre, tmp_path, observer):
 def test_half(nacre, tmp_path):
     path = tmp_path / "cmf.exr"
     nacre.ok("bake", "cmf", "--depth", "half", "-o", path)
-    assert spec(path).format == oiio.HALF
-    assert np.max(np.abs(read(path)[0][0] - cmfs("cie1931"))) < 1e-3
+    assert spec_of(path).format == oiio.HALF
+    assert np.max(np.abs(read_all(path)[0][0] - cmfs("cie1931"))) < 1e-3
 
 
 @pytest.mark.parametrize("maximum", ["global", "channel"])
 def test_bytes_carry_their_maximum(nacre, tmp_path, maximum):
     path = tmp_path / "cmf.png"
     nacre.ok("bake", "cmf", "--maximum", maximum, "-o", path)
-    pixels, attributes = read(path)
-    divisors = np.array(attribute(attributes, "maximum"))
+    pixels, attributes = read_all(path)
+    divisors = np.array(json_attribute(attributes, "maximum"))
     peaks = cmfs("cie1931").max(axis=0)
     assert divisors == pytest.approx(peaks if maximum == "channel" else [peaks.max()] * 3)
-    assert spec(path).format == oiio.UINT8
+    assert spec_of(path).format == oiio.UINT8
     assert np.max(np.abs(pixels[0] * divisors - cmfs("cie1931")) / divisors) <= 0.5 / 255 + 1e-6
     assert pixels[0].max(axis=0)[2] == 1.0  # z̄ has the largest value of all
 

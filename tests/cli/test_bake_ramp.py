@@ -10,7 +10,8 @@ import re
 import numpy as np
 import OpenImageIO as oiio
 import pytest
-from test_bake_stack import exact_colour
+
+from support.exact import colours_of_spectra, exact_colour
 
 THICKNESSES = [0, 100, 200, 300, 400]
 OPTIONS = ("--size", "5", "--angle", "40", "--illuminant", "D50")
@@ -28,11 +29,10 @@ def ramp(nacre, film_json, tmp_path):
     return bake
 
 
-@pytest.fixture
+@pytest.fixture(scope="module")
 def expected(nacre):
-    return np.array(
-        [exact_colour(nacre, [1, 1.33, 1.5], [d], 40, illuminant="D50") for d in THICKNESSES]
-    )
+    stacks = [{"n": [1, 1.33, 1.5], "d_nm": [nm], "angle_deg": 40} for nm in THICKNESSES]
+    return colours_of_spectra(nacre, stacks, illuminant="D50")
 
 
 def numbers(lines):

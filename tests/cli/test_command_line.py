@@ -10,7 +10,8 @@ import re
 import subprocess
 
 import pytest
-from conftest import ROOT
+
+from support.paths import ROOT
 
 COMMANDS = [
     ("eval",),

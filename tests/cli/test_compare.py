@@ -6,11 +6,12 @@ from __future__ import annotations
 
 import json
 
-import colour
 import numpy as np
 import OpenImageIO as oiio
 import pytest
-from images import read, write
+
+from support.colours import delta_e
+from support.images import read_all, write_as
 
 RANDOM = np.random.default_rng(1)
 
@@ -20,17 +21,10 @@ def pair(tmp_path):
     """Two linear Rec.709 images, and the ΔE00 of their pixels by colour-science."""
     first = RANDOM.uniform(0.02, 1.0, (4, 6, 3)).astype(np.float32)
     second = np.clip(first + RANDOM.normal(0, 0.03, first.shape), 0.001, 2).astype(np.float32)
-    write(tmp_path / "a.exr", first)
-    write(tmp_path / "b.exr", second)
+    write_as(tmp_path / "a.exr", first)
+    write_as(tmp_path / "b.exr", second)
 
-    # Primaries and white of Rec.709 as the space defines them, without rounding.
-    space = colour.RGB_COLOURSPACES["ITU-R BT.709"]
-    matrix = colour.normalised_primary_matrix(space.primaries, space.whitepoint)
-
-    def lab(rgb):
-        return colour.XYZ_to_Lab(rgb.astype(float) @ matrix.T, space.whitepoint)
-
-    expected = colour.delta_E(lab(first), lab(second), method="CIE 2000")
+    expected = delta_e(first, second)
     return (
         tmp_path / "a.exr",
         tmp_path / "b.exr",
@@ -68,9 +62,9 @@ def test_above_the_limit(nacre, pair):
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
 def test_a_pixel_that_is_not_finite_is_a_failure(nacre, pair, tmp_path, value):
-    pixels = read(pair[0])[0].copy()
+    pixels = read_all(pair[0])[0].copy()
     pixels[2, 3, 1] = value
-    write(tmp_path / "broken.exr", pixels)
+    write_as(tmp_path / "broken.exr", pixels)
     for files in ((pair[0], tmp_path / "broken.exr"), (tmp_path / "broken.exr", pair[0])):
         result = nacre("compare", *files, "--max", "100", "--json")
         assert result.returncode == 2
@@ -80,7 +74,7 @@ def test_a_pixel_that_is_not_finite_is_a_failure(nacre, pair, tmp_path, value):
 
 
 def test_sizes_differ(nacre, pair, tmp_path):
-    write(tmp_path / "small.exr", np.zeros((2, 6, 3)))
+    write_as(tmp_path / "small.exr", np.zeros((2, 6, 3)))
     errors = nacre.fails("compare", pair[0], tmp_path / "small.exr", "--max", "100")
     assert "must be 6 x 4 pixels" in errors
     assert "(got 6 x 2)" in errors
@@ -89,34 +83,34 @@ def test_sizes_differ(nacre, pair, tmp_path):
 def test_heat_map(nacre, pair, tmp_path):
     a, b, expected, _ = pair
     nacre.ok("compare", a, b, "--heatmap", tmp_path / "map.exr")
-    pixels, _ = read(tmp_path / "map.exr")
+    pixels, _ = read_all(tmp_path / "map.exr")
     assert pixels[..., 0] == pytest.approx(expected, rel=1e-4)
     nacre.ok("compare", a, b, "--heatmap", tmp_path / "map.png")
-    picture = read(tmp_path / "map.png")[0].sum(axis=-1)
+    picture = read_all(tmp_path / "map.png")[0].sum(axis=-1)
     assert np.argmax(picture) == np.argmax(expected)
 
 
 def test_eight_bit_files_are_decoded(nacre, tmp_path):
     """Mid grey: sRGB 188/255 is 0.5029 linear."""
     grey = np.full((2, 2, 3), 188 / 255)
-    write(tmp_path / "grey.png", grey, oiio.UINT8)
+    write_as(tmp_path / "grey.png", grey, oiio.UINT8)
     linear = ((grey + 0.055) / 1.055) ** 2.4
-    write(tmp_path / "grey.exr", linear)
+    write_as(tmp_path / "grey.exr", linear)
     result = json.loads(nacre.ok("compare", tmp_path / "grey.png", tmp_path / "grey.exr", "--json"))
     assert result["dE00"]["max"] < 1e-4
 
 
 def test_alpha_is_left_out_and_grey_is_grey(nacre, tmp_path):
-    write(tmp_path / "rgba.exr", np.dstack([np.full((2, 2, 3), 0.5), np.zeros((2, 2))]))
-    write(tmp_path / "grey.exr", np.full((2, 2, 1), 0.5))
+    write_as(tmp_path / "rgba.exr", np.dstack([np.full((2, 2, 3), 0.5), np.zeros((2, 2))]))
+    write_as(tmp_path / "grey.exr", np.full((2, 2, 1), 0.5))
     nacre.ok("compare", tmp_path / "rgba.exr", tmp_path / "grey.exr", "--max", "0")
 
 
 def test_the_space_of_the_files_counts(nacre, pair, tmp_path):
-    pixels_a, pixels_b = read(pair[0])[0], read(pair[1])[0]
+    pixels_a, pixels_b = read_all(pair[0])[0], read_all(pair[1])[0]
     for name in ("lin_rec709_scene", "lin_ap1_scene"):
-        write(tmp_path / f"a_{name}.exr", pixels_a, colorInteropID=name)
-        write(tmp_path / f"b_{name}.exr", pixels_b, colorInteropID=name)
+        write_as(tmp_path / f"a_{name}.exr", pixels_a, colorInteropID=name)
+        write_as(tmp_path / f"b_{name}.exr", pixels_b, colorInteropID=name)
     results = [
         json.loads(
             nacre.ok("compare", tmp_path / f"a_{name}.exr", tmp_path / f"b_{name}.exr", "--json")
@@ -150,10 +144,12 @@ def test_info_of_anything_else_says_so(nacre, pair):
 
 def test_info_survives_attributes_that_are_not_what_they_should_be(nacre, tmp_path):
     path = tmp_path / "odd.exr"
-    write(path, np.zeros((2, 2, 3)), **{"nacre:axes": '[3, {}, {"unit": 5}', "nacre:schema": "x"})
+    write_as(
+        path, np.zeros((2, 2, 3)), **{"nacre:axes": '[3, {}, {"unit": 5}', "nacre:schema": "x"}
+    )
     nacre.ok("info", path)
     nacre.ok("info", path, "--json")
-    write(path, np.zeros((2, 2, 3)), **{"nacre:axes": '[3, {}, {"unit": 5}]', "nacre:schema": 7})
+    write_as(path, np.zeros((2, 2, 3)), **{"nacre:axes": '[3, {}, {"unit": 5}]', "nacre:schema": 7})
     assert nacre("info", path).returncode in (0, 1)
     nacre.ok("info", path, "--json")
 
@@ -162,7 +158,7 @@ def test_info_survives_attributes_that_are_not_what_they_should_be(nacre, tmp_pa
 @pytest.mark.parametrize("command", ["info", "compare"])
 def test_truncated_image(nacre, pair, tmp_path, command, share):
     whole = RANDOM.uniform(0, 1, (64, 64, 3))
-    write(tmp_path / "whole.exr", whole)
+    write_as(tmp_path / "whole.exr", whole)
     data = (tmp_path / "whole.exr").read_bytes()
     cut = tmp_path / "cut.exr"
     cut.write_bytes(data[: int(len(data) * share)])

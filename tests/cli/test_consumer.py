@@ -4,20 +4,20 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
-from conftest import ROOT
+
+from support.paths import ROOT, tool
 
 CONSUMER = ROOT / "tests" / "consumer"
 
 
 def build_folder() -> Path:
     """The build tree of the program that NACRE names, else the release build."""
-    return Path(os.environ.get("NACRE", ROOT / "build/release/bin/nacre")).parents[1]
+    return tool().parents[1]
 
 
 def run(*command) -> str:

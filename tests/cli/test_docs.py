@@ -18,7 +18,8 @@ from collections import Counter
 from pathlib import Path
 
 import pytest
-from conftest import ROOT
+
+from support.paths import PACKAGE, ROOT
 
 DOCUMENTS = (
     "README.md",
@@ -44,7 +45,6 @@ def marked_blocks(document: str) -> list[re.Match]:
 
 def run(language: str, text: str, folder: Path, program: Path) -> str:
     path = os.pathsep.join([str(program.parent), os.environ["PATH"]])
-    packages = str(ROOT / "cpp_tools" / "python")
     lib = str(program.parent.parent / "lib")
     compiler = {
         "C_INCLUDE_PATH": str(ROOT / "cpp_tools" / "include"),
@@ -55,7 +55,7 @@ def run(language: str, text: str, folder: Path, program: Path) -> str:
     result = subprocess.run(
         [*command, text],
         cwd=folder,
-        env={**os.environ, **compiler, "PATH": path, "PYTHONPATH": packages},
+        env={**os.environ, **compiler, "PATH": path, "PYTHONPATH": str(PACKAGE)},
         capture_output=True,
         text=True,
         timeout=300,
@@ -146,7 +146,6 @@ def test_interfaces_page_has_every_function_of_c():
 
 
 def test_interfaces_page_has_every_function_of_python():
-    sys.path.insert(0, str(ROOT / "cpp_tools" / "python"))
     import nacre
 
     def functions(module, prefix=""):

@@ -9,7 +9,8 @@ import json
 
 import numpy as np
 import pytest
-from conftest import ROOT
+
+from support.paths import ROOT
 
 SOAP = {"n": [1, "water/Daimon-20C", 1], "d_nm": [400], "angle_deg": 30}
 

@@ -9,7 +9,8 @@ import json
 import math
 
 import pytest
-from conftest import ROOT
+
+from support.paths import ROOT
 
 SOAP = {"n": [1, 1.33, 1], "d_nm": [400], "angle_deg": 30, "wavelength_nm": 550, "pol": "s"}
 OIL = {**SOAP, "n": [1, 1.47, 1.33]}

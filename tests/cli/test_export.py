@@ -4,15 +4,16 @@
 
 from __future__ import annotations
 
-import base64
 import json
-import struct
 import tomllib
 
-import colour
-import images
 import numpy as np
 import pytest
+
+from support.colours import delta_e
+from support.exact import exact_colours
+from support.gltf import export_gltf, read_gltf
+from support.images import json_attribute, read_all, spec_of
 
 FORMATS = {
     "gltf": ("x.glb", "x.gltf"),
@@ -138,30 +139,6 @@ def test_json_and_words_say_the_same(nacre, film, tmp_path):
 # ---- glTF -------------------------------------------------------------------------------------------
 
 
-def read_gltf(path):
-    """The document and the bytes of its buffer."""
-    data = path.read_bytes()
-    if path.suffix == ".gltf":
-        document = json.loads(data)
-        head, _, text = document["buffers"][0]["uri"].partition(",")
-        assert head == "data:application/octet-stream;base64"
-        return document, base64.b64decode(text)
-    magic, version, length = struct.unpack_from("<4sII", data)
-    assert (magic, version, length) == (b"glTF", 2, len(data))
-    size, kind = struct.unpack_from("<I4s", data, 12)
-    assert kind == b"JSON"
-    rest, kind = struct.unpack_from("<I4s", data, 20 + size)
-    assert kind == b"BIN\0"
-    assert 28 + size + rest == len(data)
-    return json.loads(data[20 : 20 + size]), data[28 + size :]
-
-
-def export_gltf(nacre, tmp_path, *arguments):
-    path = tmp_path / "x.gltf"
-    nacre.ok("export", "gltf", *arguments, "-o", path)
-    return read_gltf(path)[0]["materials"]
-
-
 def khr_iridescence(film_ior, film_nm, base_f0, factor, cosine):
     """The implementation notes of KHR_materials_iridescence, read again in Python."""
     base_f0 = np.asarray(base_f0)
@@ -200,24 +177,6 @@ def khr_iridescence(film_ior, film_nm, base_f0, factor, cosine):
         )
         result = result + term * 2 * (to_rgb @ (xyz / 1.0685e-7))
     return (1 - factor) * schlick(base_f0, cosine) + factor * np.maximum(result, 0)
-
-
-def exact_colours(nacre, n, d_nm, angles):
-    """Linear Rec.709 of what a stack reflects, one row an angle in degrees; summed at 1 nm."""
-    records = [{"n": n, "d_nm": d_nm, "angle_deg": angle} for angle in angles]
-    answers = nacre.evaluate("colour", records, "--sampling", "full")
-    return np.array([answer["reflectance"]["rgb"] for answer in answers])
-
-
-def delta_e(a, b):
-    """CIEDE2000 of linear Rec.709, by colour-science."""
-    white = np.array([0.3127, 0.3290])
-    to_xyz = colour.normalised_primary_matrix([[0.64, 0.33], [0.30, 0.60], [0.15, 0.06]], white)
-
-    def lab(rgb):
-        return colour.XYZ_to_Lab(np.asarray(rgb) @ to_xyz.T, white)
-
-    return colour.delta_E(lab(a), lab(b), method="CIE 2000")
 
 
 def test_stated_error_is_that_of_the_extension(nacre, film, tmp_path):
@@ -295,7 +254,7 @@ def test_range_maps_the_thickness(nacre, film, tmp_path):
     view = document["bufferViews"][document["images"][0]["bufferView"]]
     png = tmp_path / "ramp.png"
     png.write_bytes(buffer[view["byteOffset"] : view["byteOffset"] + view["byteLength"]])
-    pixels, _ = images.read(png)
+    pixels, _ = read_all(png)
     np.testing.assert_allclose(pixels[:, 0, 1], np.linspace(0, 1, 256), atol=1e-6)
 
 
@@ -347,9 +306,9 @@ def test_table_is_that_of_bake_stack(nacre, film, tmp_path):
     assert record["file"] == "b.exr"
     assert record["illuminant"] == "D50"
     assert record["space"] == "lin_ap1_scene"
-    pixels, attributes = images.read(tmp_path / "b.exr")
-    assert record["error"] == images.attribute(attributes, "error")
-    assert record["stack"] == images.attribute(attributes, "stack")
+    pixels, attributes = read_all(tmp_path / "b.exr")
+    assert record["error"] == json_attribute(attributes, "error")
+    assert record["stack"] == json_attribute(attributes, "stack")
     axes = {axis["name"]: axis for axis in record["axes"]}
     assert axes["cos_theta"]["texels"] == 24
     assert (axes["thickness_nm"]["min"], axes["thickness_nm"]["max"]) == (0, 400)
@@ -362,10 +321,10 @@ def test_table_is_that_of_bake_stack(nacre, film, tmp_path):
 def test_table_for_engines(nacre, tmp_path):
     nacre.ok("export", "table", "--material", "soap_film", "--size", "16x8", "--depth", "half",
              "--alpha", "--quantity", "transmittance", "-o", tmp_path / "t.exr")  # fmt: skip
-    pixels, _ = images.read(tmp_path / "t.exr")
+    pixels, _ = read_all(tmp_path / "t.exr")
     assert pixels.shape == (8, 16, 4)
     assert (pixels[..., 3] == 1).all()
-    assert images.spec(tmp_path / "t.exr").format == "half"
+    assert spec_of(tmp_path / "t.exr").format == "half"
     record = json.loads((tmp_path / "t.json").read_text())
     assert record["channels"] == ["R", "G", "B", "A"]
     assert record["depth"] == "half"

@@ -10,7 +10,8 @@ import shutil
 import subprocess
 
 import pytest
-from conftest import Tool
+
+from support.tool import Tool
 
 
 @pytest.fixture(scope="module")

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import json
 import os
+import shlex
 import shutil
 import signal
 import subprocess
@@ -19,8 +20,10 @@ from pathlib import Path
 
 import pytest
 
+# A shell starts Python, whose path may have a blank in it; Python takes that line for a text.
 RECORDER = """\
-#!{python}
+#!/bin/sh
+''''exec {python} "$0" "$@" # '''
 import json, os, sys
 if sys.argv[1:2] == ["-c"]:  # the probe for bpy
     sys.exit({probe})
@@ -37,7 +40,7 @@ sys.exit({code})
 
 def recorder(path: Path, code=0, probe=0) -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(RECORDER.format(python=sys.executable, code=code, probe=probe))
+    path.write_text(RECORDER.format(python=shlex.quote(sys.executable), code=code, probe=probe))
     path.chmod(0o755)
     return path
 
@@ -184,9 +187,8 @@ def test_bad_template_starts_nothing(render, tmp_path):
 def test_signals_reach_the_child(prefix, templates, tmp_path):
     child = tmp_path / "python"
     child.write_text(
-        f'#!/bin/sh\n[ "$1" = -c ] && exit 0\n'
-        f"trap 'touch {tmp_path}/told; exit 5' TERM\ntouch {tmp_path}/started\n"
-        "while :; do sleep 0.05; done\n"
+        '#!/bin/sh\n[ "$1" = -c ] && exit 0\ncd "${0%/*}" || exit 1\n'
+        "trap 'touch told; exit 5' TERM\ntouch started\nwhile :; do sleep 0.05; done\n"
     )
     child.chmod(0o755)
     arguments = ["render", "--template", templates / "water.toml", "-o", "x.exr"]

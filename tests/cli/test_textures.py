@@ -10,7 +10,8 @@ import warnings
 import numpy as np
 import OpenImageIO as oiio
 import pytest
-from images import attribute, spec
+
+from support.images import json_attribute, spec_of
 
 warnings.filterwarnings("ignore", module="colour")
 import colour  # noqa: E402
@@ -71,9 +72,9 @@ def test_packed_spectra_are_the_published_values(nacre, tmp_path, name, depth):
     nacre.ok("bake", "spectra", *PATCHES, "--columns", 2, "--depth", depth, "-o", path)
     pixels, attributes = texels(path)
     assert pixels.shape == (2, 256, 4)
-    assert attribute(attributes, "names") == PATCHES
-    assert attribute(attributes, "kinds") == ["reflectance"] * 3
-    maximum = attribute(attributes, "maximum") if depth == "byte" else [1.0] * 3
+    assert json_attribute(attributes, "names") == PATCHES
+    assert json_attribute(attributes, "kinds") == ["reflectance"] * 3
+    maximum = json_attribute(attributes, "maximum") if depth == "byte" else [1.0] * 3
     for number, key in enumerate(PATCHES):
         row, column = divmod(number, 2)
         block = pixels[row, 128 * column : 128 * (column + 1)]
@@ -83,7 +84,7 @@ def test_packed_spectra_are_the_published_values(nacre, tmp_path, name, depth):
         off = np.max(np.abs(block.ravel() * maximum[number] - wanted)) / wanted.max()
         assert off <= PRECISION[depth] * 1.001
     assert not pixels[1, 128:, :].any()
-    error = attribute(attributes, "error")
+    error = json_attribute(attributes, "error")
     assert 0 < error["relative"] <= PRECISION[depth] * 1.001
 
 
@@ -128,7 +129,7 @@ def test_bytes_say_how_wrong_they_are(nacre, tmp_path):
     path = tmp_path / "t.png"
     result = nacre("bake", "spectra", "D65", "--maximum", "global", PATCHES[0], "-o", path)
     assert result.returncode == 0
-    error = attribute(texels(path)[1], "error")
+    error = json_attribute(texels(path)[1], "error")
     assert f"values are off by up to {error['max']:.2g}" in result.stderr
     assert f"{100 * error['relative']:.3g} % of the largest of their spectrum" in result.stderr
     # Divided by the maximum of D65 a patch is next to nothing.
@@ -145,7 +146,7 @@ def test_spectral_images_are_those_of_the_field(nacre, tmp_path):
     assert pixels.shape == (2, 2, 512)
     for number, key in enumerate(PATCHES):
         assert np.max(np.abs(pixels[divmod(number, 2)] - published(key))) < 1e-6
-    assert spec(path)["spectralLayoutVersion"] == "1.0"
+    assert spec_of(path)["spectralLayoutVersion"] == "1.0"
     assert list(read_back(nacre, path)[1]) == PATCHES
 
 
@@ -219,10 +220,10 @@ def test_materials_hold_what_an_interference_shader_needs(nacre, tmp_path, name,
         record = {"wavelength_nm": list(map(float, GRID)), "kind": "reflectance"}
         [answer] = nacre.evaluate("spectrum", [{**record, "values": list(map(float, intensity))}])
         assert np.max(np.abs(rgb - answer["rgb"])) < 6 * unit
-        assert attribute(attributes, "colours")[row] == pytest.approx(rgb, abs=6 * unit)
+        assert json_attribute(attributes, "colours")[row] == pytest.approx(rgb, abs=6 * unit)
     # The limits of n and k are rounded as well, but not in an attribute.
     roundings = 1 if depth == "byte" else 2
-    assert attribute(attributes, "error")["relative"] <= roundings * PRECISION[depth] * 1.001
+    assert json_attribute(attributes, "error")["relative"] <= roundings * PRECISION[depth] * 1.001
     spectra = read_back(nacre, path)[1]
     assert list(spectra)[:3] == ["Au/Johnson reflectance", "Au/Johnson n", "Au/Johnson k"]
     assert np.allclose(spectra["Cu/Johnson k"], decoded(pixels, 1, attributes)[2], rtol=1e-6)
@@ -244,17 +245,19 @@ def test_lights_stand_four_a_row(nacre, tmp_path, name, depth):
     nacre.ok("bake", "lights", *keys, "--depth", depth, "-o", path)
     pixels, attributes = texels(path)
     assert pixels.shape == (2, 516, 4)
-    maximum = attribute(attributes, "maximum") if depth == "byte" else [1.0] * 5
+    maximum = json_attribute(attributes, "maximum") if depth == "byte" else [1.0] * 5
     d65 = colour.SDS_ILLUMINANTS["D65"].copy().align(colour.SpectralShape(360, 830, 1))
     got = pixels[0, 36 : 36 + 471, 0] * maximum[0]
     assert np.max(np.abs(got - d65.values)) <= PRECISION[depth] * d65.values.max() * 1.001 + 1e-4
     # The colour of a light is that of its power: D65 is white, A is not.
-    white = np.array(attribute(attributes, "colours")[0])
+    white = np.array(json_attribute(attributes, "colours")[0])
     assert np.max(np.abs(white / white[1] - 1)) < max(5e-4, 3 * PRECISION[depth])
-    scales = attribute(attributes, "colour_maximum") if depth == "byte" else [1.0] * 5
+    scales = json_attribute(attributes, "colour_maximum") if depth == "byte" else [1.0] * 5
     for light in range(5):
         rgb = pixels[light // 4, 512 + light % 4, :3] * scales[light]
-        wanted = np.maximum(attribute(attributes, "colours")[light], 0 if depth == "byte" else -9)
+        wanted = np.maximum(
+            json_attribute(attributes, "colours")[light], 0 if depth == "byte" else -9
+        )
         assert np.max(np.abs(rgb - wanted)) <= PRECISION[depth] * wanted.max() * 1.001
     warm = pixels[0, 513, :3]
     assert warm[0] > warm[1] > warm[2]
@@ -268,7 +271,7 @@ def test_bytes_name_the_colours_that_they_cannot_hold(nacre, tmp_path):
     assert result.returncode == 0
     assert "what is negative in the colour of line:500 is 0" in result.stderr
     pixels, attributes = texels(path)
-    exact = attribute(attributes, "colours")[1]
+    exact = json_attribute(attributes, "colours")[1]
     assert exact[0] < 0 < exact[1]
     assert pixels[0, 513, :3] == pytest.approx([0, 1, exact[2] / exact[1]], abs=0.5 / 255)
     assert "negative" not in nacre("bake", "lights", "D65", "-o", path).stderr
@@ -280,7 +283,7 @@ def test_half_says_where_it_ends(nacre, tmp_path):
     result = nacre("bake", "spectra", "dim.csv", *half, cwd=tmp_path)
     assert result.returncode == 0
     assert "half is coarse below 6e-5: values are off by up to 1e-08, 100 %" in result.stderr
-    assert attribute(texels(tmp_path / "t.exr")[1], "error")["relative"] == 1
+    assert json_attribute(texels(tmp_path / "t.exr")[1], "error")["relative"] == 1
     assert nacre("bake", "spectra", "D65", *half, cwd=tmp_path).stderr == ""
 
 

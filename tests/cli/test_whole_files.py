@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import os
 import resource
+import shlex
 import shutil
 import signal
 import subprocess
@@ -216,7 +217,7 @@ def test_interrupted_while_a_child_compiles_shaders(nacre, templates, tmp_path):
     """Temporary folders exist at that time; they go, and the child goes too."""
     program = tmp_path / "bin" / "oslc"
     program.parent.mkdir()
-    program.write_text(f"#!/bin/sh\ntouch {tmp_path}/started\nexec sleep 60\n")
+    program.write_text(f"#!/bin/sh\ntouch {shlex.quote(str(tmp_path))}/started\nexec sleep 60\n")
     program.chmod(0o755)
     process = subprocess.Popen(
         [nacre.program, "compile", templates / "water.toml", "-o", tmp_path / "out"],

@@ -4,14 +4,15 @@
 
 from __future__ import annotations
 
-import os
 import re
 from itertools import product
-from pathlib import Path
 
 import numpy as np
 import pytest
-from test_headers import osl_array
+
+from support.osl import osl_array
+from support.paths import materials_folder
+from support.rough_truth import smith_lambda, visible_normals
 
 BRUSHED = "tempered_stainless_steel"
 CASES = tuple(product((0.0, 0.5, 0.8), (0.35, 0.65), (0, 45, 90), (0.2, 0.5, 0.9)))
@@ -19,35 +20,33 @@ CASES = tuple(product((0.0, 0.5, 0.8), (0.35, 0.65), (0, 45, 90), (0.2, 0.5, 0.9
 
 def fit() -> str:
     """The coefficients as a compiled material declares them."""
-    folder = os.environ.get("NACRE_MATERIALS")
-    if not folder:
-        pytest.skip("NACRE_MATERIALS names no folder of compiled materials")
-    text = (Path(folder) / BRUSHED / f"{BRUSHED}.osl").read_text(encoding="utf-8")
+    text = (materials_folder() / BRUSHED / f"{BRUSHED}.osl").read_text(encoding="utf-8")
     found = re.search(r"float lost\[12\] = \{[^}]*\};", text)
     assert found
     return found.group()
 
 
-def smith_lambda(w: np.ndarray, alpha: tuple[float, float]) -> np.ndarray:
-    slopes = (alpha[0] * w[..., 0]) ** 2 + (alpha[1] * w[..., 1]) ** 2
-    return (np.sqrt(1 + slopes / w[..., 2] ** 2) - 1) / 2
+class Lattice:
+    """Stands for a generator of random numbers: the two of each facet lie on an even lattice."""
+
+    size = 256**2
+
+    def __init__(self):
+        steps = (np.arange(256) + 0.5) / 256
+        self._axes = iter(np.meshgrid(steps, steps))
+
+    def random(self, count: int) -> np.ndarray:
+        assert count == self.size
+        return next(self._axes).ravel()
 
 
 def albedo(cosine: float, azimuth: float, alpha: tuple[float, float]) -> float:
-    """What perfect mirrors send back in one bounce: visible normals by spherical caps (Dupuy and
-    Benyoub 2023), masking correlated in height."""
+    """What perfect mirrors send back in one bounce, masking correlated in height."""
     sine = np.sqrt(1 - cosine**2)
-    view = np.array([sine * np.cos(azimuth), sine * np.sin(azimuth), cosine])
-    stretch = np.array([*alpha, 1.0])
-    wide = view * stretch / np.linalg.norm(view * stretch)
-    steps = (np.arange(256) + 0.5) / 256
-    turn, rise = (grid.ravel() for grid in np.meshgrid(2 * np.pi * steps, steps))
-    z = (1 - rise) * (1 + wide[2]) - wide[2]
-    around = np.sqrt(1 - z**2)
-    cap = np.stack([around * np.cos(turn), around * np.sin(turn), z], axis=-1)
-    facet = (cap + wide) * stretch
-    facet /= np.linalg.norm(facet, axis=-1, keepdims=True)
-    out = 2 * (facet @ view)[:, None] * facet - view
+    view = np.array([[sine * np.cos(azimuth), sine * np.sin(azimuth), cosine]])
+    alpha = np.array(alpha)
+    facet = visible_normals(np.repeat(view, Lattice.size, axis=0), alpha, Lattice())
+    out = 2 * (facet @ view[0])[:, None] * facet - view
     leaves = out[:, 2] > 0
     above = smith_lambda(view, alpha)
     share = (1 + above) / (1 + above + smith_lambda(out[leaves], alpha))

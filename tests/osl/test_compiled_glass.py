@@ -4,14 +4,13 @@
 
 from __future__ import annotations
 
-import os
 import re
 import tomllib
-from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT
+
+from support.paths import ROOT, TEMPLATES, materials_folder
 
 # Lines of hydrogen and helium that define n_d and the Abbe number, and what a spectrum spans.
 LINES_NM = [486.1327, 587.5618, 656.2725]
@@ -28,7 +27,7 @@ def sellmeier(b: list[float], c: list[float], nm: np.ndarray) -> np.ndarray:
 def template_index(material: str, nm: np.ndarray) -> np.ndarray:
     """From the template and, for a medium of the library, the published file: both glasses of the
     library are given by refractiveindex.info's formula 2, n² = 1 + c₁ + Σ c₂ᵢ λ² / (λ² − c₂ᵢ₊₁)."""
-    text = (ROOT / "osl" / "templates" / f"{material}.toml").read_text("utf-8")
+    text = (TEMPLATES / f"{material}.toml").read_text("utf-8")
     glass = tomllib.loads(text)["glass"]
     if "sellmeier" in glass:
         return sellmeier(glass["sellmeier"]["b"], glass["sellmeier"]["c"], nm)
@@ -44,10 +43,7 @@ def template_index(material: str, nm: np.ndarray) -> np.ndarray:
 def probe(material: str, nm: list[float]) -> str:
     """The compiled shader as it is, but for its two ends: column i draws wavelength i, and what
     reaches the lobe as the path's index is shown."""
-    folder = os.environ.get("NACRE_MATERIALS")
-    if not folder:
-        pytest.skip("NACRE_MATERIALS names no folder of compiled materials")
-    text = (Path(folder) / material / f"{material}.osl").read_text("utf-8")
+    text = (materials_folder() / material / f"{material}.osl").read_text("utf-8")
     shader = f"shader nacre_{material}\n"
     assert text.count(shader) == 1
     body = text.partition(shader)[2]
@@ -65,8 +61,7 @@ def probe(material: str, nm: list[float]) -> str:
 @pytest.mark.parametrize("material", GLASSES)
 def test_index_in_use_is_the_template_s(blender, material):
     nm = LINES_NM + WITHIN_NM
-    answer = blender.run("values", osl=probe(material, nm), count=len(nm))
-    used = np.load(answer["file"])[:, 0].astype(np.float64)
+    used = blender.run(probe(material, nm), len(nm))[:, 0].astype(np.float64)
     expected = template_index(material, np.array(nm))
     error = np.abs(used / expected - 1)
     print(f"{material}, Blender {blender.version}: largest at F, d, C {error[:3].max():.1e}, "
@@ -76,6 +71,9 @@ def test_index_in_use_is_the_template_s(blender, material):
 
 
 def test_every_glass_is_checked():
-    templates = (ROOT / "osl" / "templates").glob("*.toml")
-    glasses = {file.stem for file in templates if "glass" in tomllib.loads(file.read_text("utf-8"))}
+    glasses = {
+        file.stem
+        for file in TEMPLATES.glob("*.toml")
+        if "glass" in tomllib.loads(file.read_text("utf-8"))
+    }
     assert glasses == set(GLASSES)

@@ -8,9 +8,10 @@ import math
 
 import numpy as np
 import pytest
-from conftest import ROOT, inline
 
-DEBUG = inline((ROOT / "osl" / "shaders" / "nacre_debug.osl").read_text(encoding="utf-8"))
+from support.osl import shader
+
+DEBUG = shader("nacre_debug")
 NORMAL, UV, TO_CAMERA, TO_LIGHT, THICKNESS, COSINE = range(6)
 SIZE, TILT, SPAN = 16, 0.7, 0.8
 

@@ -7,12 +7,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from support.osl import osl_array
+
 tmm = pytest.importorskip("tmm")
-
-
-def osl_array(name: str, values) -> str:
-    items = ", ".join(f"{float(value)!r}" for value in values)
-    return f"float {name}[{len(values)}] = {{ {items} }};\n"
 
 
 def test_complex_arithmetic(blender):

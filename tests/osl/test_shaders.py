@@ -5,42 +5,48 @@
 from __future__ import annotations
 
 import math
-import os
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ROOT, SHADERS, inline
+
+from support.osl import SHADERS, inline, shader
+from support.paths import TEMPLATES, materials_folder
 
 colour = pytest.importorskip("colour")
 tmm = pytest.importorskip("tmm")
 
 
-def shader(name: str) -> str:
-    return inline((ROOT / "osl" / "shaders" / f"{name}.osl").read_text(encoding="utf-8"))
+def is_complaint(said: str) -> bool:
+    return re.search(r"warning|error:", said, re.I) is not None
 
 
-def compiled_materials() -> list[Path]:
-    folder = os.environ.get("NACRE_MATERIALS")
-    return sorted(Path(folder).glob("*/*.osl")) if folder else []
+REDEFINED = """
+float same(float x) { return x; }
+float same(float x) { return -x; }
+shader odd(output closure color BSDF = 0) { BSDF = same(0.5) * emission(); }
+"""
+
+
+def test_complaints_of_the_compiler_are_heard(blender):
+    """Else its silence would mean nothing."""
+    _, said = blender.compile({"odd": REDEFINED})
+    assert is_complaint(said), said
 
 
 def test_every_shader_compiles_without_warnings(blender):
     texts = {path.stem: inline(path.read_text(encoding="utf-8")) for path in SHADERS}
     assert len(texts) == 5
-    answer = blender.compile(texts)
-    assert not re.search(r"warning|error:", answer.pop("log"), re.I)
-    assert set(answer) == set(texts)
+    compiled, said = blender.compile(texts)
+    assert not is_complaint(said), said
+    assert set(compiled) == set(texts)
 
 
 def test_every_compiled_template_compiles_without_warnings(blender):
-    paths = compiled_materials()
-    if not paths:
-        pytest.skip("NACRE_MATERIALS names no folder of compiled materials")
-    assert len(paths) == len(list((ROOT / "osl" / "templates").glob("*.toml")))
-    answer = blender.compile({path.stem: path.read_text(encoding="utf-8") for path in paths})
-    assert not re.search(r"warning|error:", answer.pop("log"), re.I)
+    paths = sorted(materials_folder().glob("*/*.osl"))
+    assert len(paths) == len(list(TEMPLATES.glob("*.toml")))
+    _, said = blender.compile({path.stem: path.read_text(encoding="utf-8") for path in paths})
+    assert not is_complaint(said), said
 
 
 # -- film --------------------------------------------------------------------------------------

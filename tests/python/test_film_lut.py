@@ -9,9 +9,9 @@ from concurrent.futures import ThreadPoolExecutor
 import colour
 import numpy as np
 import pytest
-from lab import lab
 
 import nacre
+from support.colours import lab
 
 GRID = np.arange(360.0, 831.0)
 AIR = 1.0

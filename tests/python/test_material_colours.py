@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from lab import lab
 
 import nacre
+from support.colours import lab
 
 TEMPLATES = Path(__file__).resolve().parents[2] / "osl" / "templates"
 

@@ -13,10 +13,10 @@ import threading
 
 import numpy as np
 import pytest
-from conftest import ROOT
 
 import nacre
 from nacre._native import lib
+from support.paths import ROOT
 
 
 def public_functions():

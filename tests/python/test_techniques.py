@@ -12,9 +12,9 @@ from pathlib import Path
 import colour
 import numpy as np
 import pytest
-from lab import lab
 
 import nacre
+from support.colours import lab
 
 DOC = Path(__file__).parents[2] / "cpp_tools" / "doc" / "models.md"
 FILMS = {

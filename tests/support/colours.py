@@ -7,7 +7,7 @@ from __future__ import annotations
 import numpy as np
 
 
-def lab(rgb: np.ndarray) -> np.ndarray:
+def lab(rgb) -> np.ndarray:
     """L*a*b* under D65 of linear Rec. 709, IEC 61966-2-1 primaries with (1, 1, 1) as the white."""
     to_xyz = np.array(
         [
@@ -16,7 +16,7 @@ def lab(rgb: np.ndarray) -> np.ndarray:
             [0.0193308187155918, 0.119194779794626, 0.9505321522496607],
         ]
     )
-    relative = (rgb @ to_xyz.T) / to_xyz.sum(axis=1)
+    relative = (np.asarray(rgb, float) @ to_xyz.T) / to_xyz.sum(axis=1)
     linear = relative * (24389 / 27) / 116 + 16 / 116
     f = np.where(relative > 216 / 24389, np.cbrt(relative), linear)
     return np.stack(
@@ -25,7 +25,7 @@ def lab(rgb: np.ndarray) -> np.ndarray:
     )
 
 
-def delta_e(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def delta_e(a, b) -> np.ndarray:
     """CIEDE2000 by colour-science between linear Rec. 709 pictures."""
     from colour.difference import delta_E_CIE2000
 

@@ -1,9 +1,10 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Pictures as arrays, by OpenImageIO's own module."""
+"""Pictures as arrays, by OpenImageIO's own module and not by the tool under test."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -46,3 +47,32 @@ def write_channels(
     assert target.open(str(file), spec), target.geterror()
     assert target.write_image(pixels.astype(np.float32)), target.geterror()
     target.close()
+
+
+def read_all(path: Path | str) -> tuple[np.ndarray, dict]:
+    """All channels as float32, shape (height, width, channels), and attributes by name."""
+    image = oiio.ImageBuf(str(path))
+    pixels = image.get_pixels(oiio.FLOAT)
+    assert pixels is not None, image.geterror()
+    return pixels, {attribute.name: attribute.value for attribute in image.spec().extra_attribs}
+
+
+def spec_of(path: Path | str) -> oiio.ImageSpec:
+    return oiio.ImageBuf(str(path)).spec()
+
+
+def json_attribute(attributes: dict, name: str):
+    """One of the tool's attributes, which hold JSON."""
+    return json.loads(attributes[f"nacre:{name}"])
+
+
+def write_as(path: Path | str, pixels, data_format=oiio.FLOAT, **attributes) -> None:
+    """An image as somebody else's program writes it."""
+    pixels = np.asarray(pixels, dtype=np.float32)
+    height, width, channels = pixels.shape
+    image_spec = oiio.ImageSpec(width, height, channels, data_format)
+    for name, value in attributes.items():
+        image_spec.attribute(name, value)
+    buffer = oiio.ImageBuf(image_spec)
+    assert buffer.set_pixels(oiio.ROI(), pixels)
+    assert buffer.write(str(path), data_format), buffer.geterror()

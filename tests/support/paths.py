@@ -19,6 +19,9 @@ ADDON = ROOT / "addon"
 PACKAGE = ROOT / "cpp_tools" / "python"
 TEMPLATES = ROOT / "osl" / "templates"
 RELEASE = ROOT / "build" / "release"
+# Compiled materials that are small, and stay as they are.
+FIXTURES = ROOT / "tests" / "addon" / "fixtures"
+STAGE_EXTENSION = ROOT / "cpp_tools" / "generators" / "stage_extension.py"
 
 
 def tool() -> Path:

@@ -7,7 +7,9 @@ from __future__ import annotations
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file
+from steps import new_file
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()

@@ -5,7 +5,9 @@
 from __future__ import annotations
 
 import bpy
-from support import load, module, new_file, refused
+from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()

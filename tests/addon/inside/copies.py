@@ -10,7 +10,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file, refused
+from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -18,7 +20,7 @@ materials = module("nodes.material")
 groups = module("nodes.group")
 stack = module("nodes.stack")
 live = module("nodes.live")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 
 
 def tree_of(material) -> bpy.types.NodeTree:

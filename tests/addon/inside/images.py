@@ -9,13 +9,15 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file
+from steps import new_file
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
 materials = module("nodes.material")
 image_module = module("nodes.image")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 BLEND = folder / "tables é.blend"
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Installs the archive through Blender's own operator, uses it, and switches it off: FILE.zip."""
+"""Installs the archive through Blender's own operator, uses it, and switches it off: FILE.zip MATERIAL."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import sys
 
 import bpy
 
-archive, expected = sys.argv[2], sys.argv[3]
+archive, expected = sys.argv[1], sys.argv[2]
 bpy.ops.preferences.addon_enable(module="bl_pkg")
 bpy.ops.extensions.package_install_files(
     repo="user_default", filepath=archive, enable_on_install=True

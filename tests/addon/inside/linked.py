@@ -8,7 +8,9 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file, refused
+from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -17,7 +19,7 @@ groups = module("nodes.group")
 stack = module("nodes.stack")
 live = module("nodes.live")
 fallback = module("nodes.fallback")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 source = folder / "shot.blend"
 
 

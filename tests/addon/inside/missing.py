@@ -8,12 +8,14 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file, pixels, render
+from steps import new_file, pixels, render
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
 materials = module("nodes.material")
-folder, form = Path(sys.argv[2]), sys.argv[3]
+folder, form = Path(sys.argv[1]), sys.argv[2]
 
 cube = new_file()
 scene = bpy.context.scene

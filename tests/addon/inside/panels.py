@@ -9,7 +9,9 @@ from pathlib import Path
 from types import SimpleNamespace
 
 import bpy
-from support import load, module, new_file, refused
+from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -19,7 +21,7 @@ stack = module("nodes.stack")
 live = module("nodes.live")
 swatch = module("ui.swatch")
 library = module("core.library")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 
 PANELS = [
     cls

@@ -11,7 +11,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file, refused
+from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -19,7 +21,7 @@ materials = module("nodes.material")
 thickness = module("nodes.thickness")
 stack = module("nodes.stack")
 views = module("nodes.views")
-folder, form = Path(sys.argv[2]), sys.argv[3]
+folder, form = Path(sys.argv[1]), sys.argv[2]
 
 import nacre  # noqa: E402  on the path that Blender was given
 

@@ -5,7 +5,8 @@
 from __future__ import annotations
 
 import bpy
-from support import load
+
+from jobs.extension import load
 
 
 def snapshot() -> dict[str, set[str]]:

@@ -8,9 +8,11 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, new_file, render
+from steps import new_file, render
 
-folder, form, name = Path(sys.argv[2]), sys.argv[3], sys.argv[4]
+from jobs.extension import load
+
+folder, form, name = Path(sys.argv[1]), sys.argv[2], sys.argv[3]
 extension = load()
 extension.register()
 cube = new_file()

@@ -9,7 +9,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file, refused
+from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -17,8 +19,8 @@ materials = module("nodes.material")
 groups = module("nodes.group")
 stack = module("nodes.stack")
 live = module("nodes.live")
-form = sys.argv[3]
-folder = Path(sys.argv[2])
+form = sys.argv[2]
+folder = Path(sys.argv[1])
 
 
 def image_of(material, name):
@@ -47,13 +49,13 @@ assert bpy.ops.nacre.edit_stack() == {"FINISHED"}
 shown = material.nacre
 assert [layer.medium for layer in shown.layers] == ["abbe 1.47 50"]
 assert (shown.ambient, shown.substrate) == ("air", "water/Daimon-20C")
-assert (shown.varying, shown.low_nm, shown.high_nm) == (0, 0.0, 1200.0)
+assert (shown.varying, shown.low_nm, shown.high_nm) == (0, 0.0, 200.0)
 assert not stack.is_stale(material)
 assert live.problem(material) == ""
 
 # Values and links are the artist's.
 socket = module("nodes.thickness").thickness_socket(material)
-socket.default_value = 333.0
+socket.default_value = 111.0
 value = material.node_tree.nodes.new("ShaderNodeValue")
 roughness = materials.input_socket(material, "roughness")
 material.node_tree.links.new(value.outputs[0], roughness)
@@ -76,7 +78,7 @@ assert node.node_tree[groups.FORM] == form
 final = texels(material)
 assert final.shape[2] == 3
 assert np.abs(final[0, -1] - quick[0, -1]).max() < 0.02, (final[0, -1], quick[0, -1])
-assert module("nodes.thickness").thickness_socket(material).default_value == 333.0
+assert module("nodes.thickness").thickness_socket(material).default_value == 111.0
 assert materials.input_socket(material, "roughness").is_linked
 assert not materials.missing_tables(material)
 used = {n.node_tree for m in bpy.data.materials for n in m.node_tree.nodes if n.type == "GROUP"}
@@ -239,7 +241,7 @@ bpy.ops.nacre.edit_stack()
 swatch = module("ui.swatch")
 wanted = stack.recipe(material)
 assert swatch._draw_swatch(wanted, 96).shape == (256, 256, 4)
-assert swatch._draw_spectrum(wanted, 400.0, 30.0).shape == (256, 256, 4)
+assert swatch._draw_spectrum(wanted, 100.0, 30.0).shape == (256, 256, 4)
 extension.unregister()
 extension.register()
 assert material.nacre.layers[0].medium == "abbe 1.47 50"

@@ -11,7 +11,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file
+from steps import new_file
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -19,7 +21,7 @@ materials = module("nodes.material")
 stack = module("nodes.stack")
 live = module("nodes.live")
 thickness = module("nodes.thickness")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 SEED, STEPS, COUNT = 20261125, 60, 1000
 
 

@@ -9,14 +9,16 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file, refused
+from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
 materials = module("nodes.material")
 thickness = module("nodes.thickness")
 SOURCES = module("core.thickness").SOURCES
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 
 
 def close(a: float, b: float, tolerance: float = 1e-3) -> bool:

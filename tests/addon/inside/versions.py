@@ -9,7 +9,9 @@ import sys
 from pathlib import Path
 
 import bpy
-from support import load, module, new_file, refused
+from steps import new_file, refused
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -19,7 +21,7 @@ schema = module("nodes.schema")
 stack = module("nodes.stack")
 live = module("nodes.live")
 problems = module("core.problems")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 BLEND = folder / "Älter 薄膜.blend"
 
 
@@ -93,11 +95,11 @@ assert tree_of(bpy.context.object.active_material) != tree  # not taken for one 
 
 # Damaged names of sockets: mended, with the values.
 material = assigned()
-materials.set_values(material, {"thickness_nm": 321.0})
+materials.set_values(material, {"thickness_nm": 123.0})
 tree_of(material)[groups.SOCKETS] = "{ broken"
 assert materials.input_socket(material, "thickness_nm") is None
 assert bpy.ops.nacre.rebuild_material() == {"FINISHED"}
-assert materials.input_socket(material, "thickness_nm").default_value == 321.0
+assert materials.input_socket(material, "thickness_nm").default_value == 123.0
 
 # A damaged stack: said, kept out of every handler, reverted.
 for damaged in (7, "schema = ["):

@@ -12,7 +12,9 @@ from types import SimpleNamespace
 
 import bpy
 from mathutils import Euler, Matrix, Vector
-from support import load, module, new_file
+from steps import new_file
+
+from jobs.extension import load, module
 
 load()
 aside = module("nodes.camera")
@@ -20,7 +22,7 @@ view = module("core.view")
 viewport = module("nodes.viewport")
 picture = module("operators.picture")
 output = module("output")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 
 POINTS = [Vector(p) for p in itertools.product((-1.5, 0.2, 2.0), (-1.0, 0.7), (-0.5, 1.1))]
 

@@ -10,7 +10,9 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from support import load, module, new_file
+from steps import new_file
+
+from jobs.extension import load, module
 
 extension = load()
 extension.register()
@@ -19,7 +21,7 @@ thickness = module("nodes.thickness")
 views = module("nodes.views")
 FIELDS = module("core.fields").FIELDS
 exr = module("core.exr")
-folder = Path(sys.argv[2])
+folder = Path(sys.argv[1])
 
 SIZE, TILT = 16, 0.6
 

@@ -38,13 +38,25 @@ def module(name: str) -> ModuleType:
 
 
 def forget() -> None:
-    """The next load() imports everything anew."""
-    for name in [name for name in sys.modules if name.split(".")[0] == PACKAGE]:
+    """The next load() imports everything anew, the package that the extension computes with too."""
+    for name in [name for name in sys.modules if name.split(".")[0] in (PACKAGE, "nacre")]:
         del sys.modules[name]
 
 
 def is_off() -> bool:
-    """Whether no class or property of it is registered."""
-    return not hasattr(bpy.types.Scene, "nacre") and not any(
-        name.startswith("NACRE_") for name in dir(bpy.types)
+    """Whether no class, property or handler of it is registered."""
+    handlers = [
+        handler
+        for name in dir(bpy.app.handlers)
+        if isinstance(getattr(bpy.app.handlers, name), list)
+        for handler in getattr(bpy.app.handlers, name)
+    ]
+    return (
+        not hasattr(bpy.types.Scene, "nacre")
+        and not any(name.startswith("NACRE_") for name in dir(bpy.types))
+        and not any(_is_ours(getattr(handler, "__module__", None)) for handler in handlers)
     )
+
+
+def _is_ours(name: str | None) -> bool:
+    return str(name).split(".")[0] == PACKAGE

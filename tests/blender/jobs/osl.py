@@ -1,20 +1,17 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Runs one job inside a Python that has `bpy`: worker.py JOB.json RESULT.json."""
+"""OSL compiled by Cycles and run in its renders; files go into the folder of the request."""
 
 from __future__ import annotations
 
 import hashlib
-import json
 import math
 import re
-import sys
 from pathlib import Path
 
-import bpy  # first: it brings `_cycles`
+import _cycles
+import bpy
 import numpy as np
-
-import _cycles  # isort: skip
 
 SOCKETS = {
     "closure color": "NodeSocketShader",
@@ -27,13 +24,12 @@ SOCKETS = {
 }
 
 
-def compile_osl(text: str, folder: Path, name: str) -> str:
+def compile_osl(text: str, name: str) -> str:
     """The bytecode, as text."""
-    source = folder / f"{name}.osl"
-    target = folder / f"{name}.oso"
+    source, target = Path(f"{name}.osl"), Path(f"{name}.oso")
     source.write_text(text, encoding="utf-8")
     if not _cycles.osl_compile(str(source), str(target)):
-        raise SystemExit(f"{name}: does not compile")
+        raise ValueError(f"{name}: does not compile")
     return target.read_text(encoding="utf-8")
 
 
@@ -98,14 +94,14 @@ def camera_at(scene, location, rotation, ortho_scale):
     scene.collection.objects.link(scene.camera)
 
 
-def material_from(osl: str, folder: Path, values: dict, coordinates: str = ""):
+def material_from(osl: str, values: dict, coordinates: str = ""):
     """`coordinates`: the input that gets the mesh's UV."""
     material = bpy.data.materials.new("Probe")
     material.use_nodes = True
     tree = material.node_tree
     tree.nodes.clear()
     output = tree.nodes.new("ShaderNodeOutputMaterial")
-    node = script_node(tree, compile_osl(osl, folder, "probe"), values)
+    node = script_node(tree, compile_osl(osl, "probe"), values)
     tree.links.new(node.outputs[0], output.inputs["Surface"])
     if coordinates:
         source = tree.nodes.new("ShaderNodeTexCoord")
@@ -113,8 +109,8 @@ def material_from(osl: str, folder: Path, values: dict, coordinates: str = ""):
     return material
 
 
-def pixels_of(scene, folder: Path) -> np.ndarray:
-    path = folder / "render.exr"
+def pixels_of(scene) -> np.ndarray:
+    path = Path("render.exr").absolute()
     scene.render.filepath = str(path)
     bpy.ops.render.render(write_still=True)
     image = bpy.data.images.load(str(path))
@@ -125,41 +121,44 @@ def pixels_of(scene, folder: Path) -> np.ndarray:
     return values.reshape(height, width, 4)[::-1, :, :3]
 
 
-def save(pixels: np.ndarray, folder: Path) -> dict:
-    path = folder / "pixels.npy"
+def saved(pixels: np.ndarray) -> str:
+    """A file with them."""
+    path = Path("pixels.npy").absolute()
     np.save(path, pixels)
-    return {"file": str(path)}
+    return str(path)
 
 
-def task_compile(job: dict, folder: Path) -> dict:
-    return {name: compile_osl(text, folder, name) for name, text in job["shaders"].items()}
+def compile_all(shaders: dict[str, str]) -> dict[str, str]:
+    """The bytecode of each text, by name."""
+    return {name: compile_osl(text, name) for name, text in shaders.items()}
 
 
-def task_values(job: dict, folder: Path) -> dict:
+def values(osl: str, count: int) -> str:
     """One column for each value: unit squares along x, seen from above; 4 pixels is Blender's least."""
-    count = max(job["count"], 4)
-    scene = new_scene(count, 4, samples=1)
+    columns = max(count, 4)
+    scene = new_scene(columns, 4, samples=1)
     mesh = bpy.data.meshes.new("Strip")
-    corners = [(0, -2, 0), (count, -2, 0), (count, 2, 0), (0, 2, 0)]
+    corners = [(0, -2, 0), (columns, -2, 0), (columns, 2, 0), (0, 2, 0)]
     mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
-    mesh.materials.append(material_from(job["osl"], folder, {}))
+    mesh.materials.append(material_from(osl, {}))
     scene.collection.objects.link(bpy.data.objects.new("Strip", mesh))
-    camera_at(scene, (count / 2, 0, 5), (0, 0, 0), ortho_scale=count)
-    return save(pixels_of(scene, folder)[0, : job["count"]], folder)
+    camera_at(scene, (columns / 2, 0, 5), (0, 0, 0), ortho_scale=columns)
+    return saved(pixels_of(scene)[0, :count])
 
 
-def task_write_table(job: dict, folder: Path) -> dict:
-    """An EXR; row 0 of `rows` is the top."""
-    rows = np.asarray(job["rows"], dtype=np.float32)
+def write_table(rows: list) -> str:
+    """An EXR; row 0 of `rows` is the top. No two tables have one name: Cycles keeps textures."""
+    rows = np.asarray(rows, dtype=np.float32)
     height, width, _ = rows.shape
     pixels = np.ones((height, width, 4), dtype=np.float32)
     pixels[..., :3] = rows[::-1]
     image = bpy.data.images.new("Table", width, height, float_buffer=True, is_data=True)
     image.pixels.foreach_set(pixels.ravel())
     image.file_format = "OPEN_EXR"
-    image.filepath_raw = str(folder / "table.exr")
+    name = hashlib.md5(pixels.tobytes()).hexdigest()
+    image.filepath_raw = str(Path(f"{name}.exr").absolute())
     image.save()
-    return {"file": image.filepath_raw}
+    return image.filepath_raw
 
 
 def add_sphere(scene, material, offset=(0, 0, 0), radius=1.0):
@@ -176,51 +175,51 @@ def add_disc(scene, material):
     bpy.context.object.data.materials.append(material)
 
 
-def task_render(job: dict, folder: Path) -> dict:
-    """An object under a white world, or under one lamp in the dark, with a wavelength per path."""
-    scene = new_scene(job["width"], job["height"], job["samples"])
-    scene.render.use_motion_blur = job.get("motion_blur", True)
+def add_sun(scene, energy: float, angle: float, polar: float, azimuth: float):
+    data = bpy.data.lights.new("Lamp", "SUN")
+    data.energy, data.angle = energy, angle
+    sun = bpy.data.objects.new("Lamp", data)
+    sun.rotation_euler = (polar, 0.0, azimuth)
+    scene.collection.objects.link(sun)
+
+
+def render(
+    osl: str,
+    object: str,
+    width: int,
+    height: int,
+    samples: int,
+    *,
+    values: dict | None = None,
+    coordinates: str = "",
+    world: float = 1.0,
+    motion_blur: bool = True,
+    offsets: tuple | list = ((0, 0, 0),),
+    radius: float = 1.0,
+    ball: dict | None = None,
+    lamps: tuple | list = (),
+    tilt: float = 0.0,
+    span: float = 2.0,
+) -> str:
+    """A disc or spheres under a white world, or under lamps in the dark, with a wavelength per path."""
+    scene = new_scene(width, height, samples)
+    scene.render.use_motion_blur = motion_blur
     scene.render.motion_blur_shutter = 0.0
     background = scene.world.node_tree.nodes["Background"]
     background.inputs["Color"].default_value = (1, 1, 1, 1)
-    background.inputs["Strength"].default_value = job.get("world", 1.0)
-    material = material_from(job["osl"], folder, job.get("values", {}), job.get("coordinates", ""))
-    if job["object"] == "disc":
+    background.inputs["Strength"].default_value = world
+    material = material_from(osl, values or {}, coordinates)
+    if object == "disc":
         add_disc(scene, material)
     else:
-        for offset in job.get("offsets", [(0, 0, 0)]):
-            add_sphere(scene, material, offset, job.get("radius", 1.0))
-    if "ball" in job:
-        ball = job["ball"]
+        for offset in offsets:
+            add_sphere(scene, material, offset, radius)
+    if ball:
         add_sphere(
-            scene,
-            material_from(ball["osl"], folder, ball["values"]),
-            ball["offset"],
-            ball["radius"],
+            scene, material_from(ball["osl"], ball["values"]), ball["offset"], ball["radius"]
         )
-    for lamp in job.get("lamps", []):
-        data = bpy.data.lights.new("Lamp", "SUN")
-        data.energy = lamp["energy"]
-        data.angle = lamp["angle"]
-        sun = bpy.data.objects.new("Lamp", data)
-        sun.rotation_euler = (lamp["polar"], 0.0, lamp["azimuth"])
-        scene.collection.objects.link(sun)
-    tilt = job.get("tilt", 0.0)
+    for lamp in lamps:
+        add_sun(scene, **lamp)
     location = (0.0, -5.0 * math.sin(tilt), 5.0 * math.cos(tilt))
-    camera_at(scene, location, (tilt, 0.0, 0.0), ortho_scale=job.get("span", 2.0))
-    return save(pixels_of(scene, folder), folder)
-
-
-def main() -> None:
-    job = json.loads(Path(sys.argv[1]).read_text())
-    tasks = {
-        "compile": task_compile,
-        "values": task_values,
-        "write_table": task_write_table,
-        "render": task_render,
-    }
-    Path(sys.argv[2]).write_text(json.dumps(tasks[job["task"]](job, Path(job["folder"]))))
-
-
-if __name__ == "__main__":
-    main()
+    camera_at(scene, location, (tilt, 0.0, 0.0), ortho_scale=span)
+    return saved(pixels_of(scene))

@@ -1,27 +1,12 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""For scripts that run inside Blender: loads the extension's folder, first argument of each."""
+"""For scripts that run inside Blender, whether or not it knows the extension."""
 
 from __future__ import annotations
 
-import importlib
-import sys
 from pathlib import Path
 
 import bpy
-
-PACKAGE = "nacre_extension"
-
-
-def load():
-    sys.path.insert(0, sys.argv[1])
-    driver = importlib.import_module("driver")
-    sys.path.remove(sys.argv[1])
-    return driver.load_package(PACKAGE)
-
-
-def module(name: str):
-    return importlib.import_module(f"{PACKAGE}.{name}")
 
 
 def new_file() -> bpy.types.Object:
