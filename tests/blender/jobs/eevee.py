@@ -14,7 +14,7 @@ import bpy
 from . import extension
 
 # Normals are smooth between them; the picture's rim is left out of comparisons.
-RINGS = 32
+RINGS = 64
 
 
 def engine(scene: bpy.types.Scene) -> str:
