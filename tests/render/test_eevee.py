@@ -29,7 +29,9 @@ SIZE, COLUMNS = 96, 6
 COSINES, COUNTED = pixel_cosines(SIZE, 0.05)
 ROUGHNESSES = (0.0, 0.35)
 IN_GAMUT = -1e-4
-LIMIT = 1.0  # mean ΔE00
+LIMIT = 0.6  # mean ΔE00
+# EEVEE keeps the colour of a closure in ten bits, which is much of a dark one.
+STEP = 1.5 / 1023
 # Looked at since there has been EEVEE in these tests, at these thicknesses.
 CHOSEN = {"anodised_titanium": 52.0, "oil_on_water": 420.0, "tempered_steel": 20.0}
 
@@ -111,7 +113,8 @@ def expected(update_refs):
 def test_film_in_eevee(spheres, expected, film, roughness, record_property):
     colours = expected(film, roughness)
     inside = colours.min(axis=1) > IN_GAMUT  # EEVEE clips the others, as every form of nodes does
-    errors = delta_e(spheres(film, roughness)[COUNTED][inside], colours[inside])
+    seen, colours = spheres(film, roughness)[COUNTED][inside], colours[inside]
+    errors = delta_e(seen, np.clip(seen, colours - STEP, colours + STEP))
     record_property("dE00", f"mean {errors.mean():.3f}, max {errors.max():.3f}")
     print(f"dE00 mean {errors.mean():.3f}, max {errors.max():.3f} of {errors.size} pixels")
     assert errors.size >= 0.2 * math.pi / 4 * SIZE**2
