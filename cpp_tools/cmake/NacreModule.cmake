@@ -20,6 +20,14 @@ set(NACRE_ALLOWED_material core)
 set(NACRE_ALLOWED_oslgen material)
 set(NACRE_ALLOWED_pipeline lut oslgen)
 
+# nacre_unity(TARGET SIZE)
+#
+# With NACRE_UNITY, compiles the sources of the target SIZE at a time. Sources with options or
+# definitions of their own stay by themselves.
+function(nacre_unity target size)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ${NACRE_UNITY} UNITY_BUILD_BATCH_SIZE ${size})
+endfunction()
+
 # nacre_module(NAME SOURCES file… [DEPENDS module…] [LIBRARIES target…])
 #
 # Adds the static library nacre_NAME (alias Nacre::NAME) from src/NAME. Each module sees the public
@@ -50,5 +58,6 @@ function(nacre_module name)
         PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}")
     target_compile_features(nacre_${name} PUBLIC cxx_std_20)
     set_target_properties(nacre_${name} PROPERTIES POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${name})
+    nacre_unity(nacre_${name} 24)
     install(TARGETS nacre_${name} EXPORT NacreTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endfunction()

@@ -246,6 +246,15 @@ class Blender:
         return next(self.package.glob("*/scripts/addons_core/bl_pkg/cli/blender_ext.py"))
 
 
+def server_command(python: str) -> list[str]:
+    return [python, str(HERE / "server.py")]
+
+
+def xvfb_command(python: str) -> list[str]:
+    """A server with a display of its own, which EEVEE draws on."""
+    return ["xvfb-run", "-a", "-s", "-screen 0 640x480x24", *server_command(python)]
+
+
 class Blenders:
     """The Blenders of a run, each started when it is first asked."""
 
@@ -258,7 +267,7 @@ class Blenders:
         if not python:
             return None
         if version not in self._servers:
-            self._servers[version] = Server([python, str(HERE / "server.py")])
+            self._servers[version] = Server(server_command(python))
         return Blender(version, python, self._servers[version], folder)
 
     def close(self) -> None:

@@ -1,85 +1,118 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Films as nodes in EEVEE against the exact spectrum.
+"""Films as nodes in EEVEE against the exact spectrum, on a display that nobody sees.
 
-EEVEE needs a Blender program with something to draw on: NACRE_BLENDER names one.
+The wheels of Blender render with EEVEE under Xvfb with Mesa's drivers in software. Compiling the
+shaders takes most of the time: one picture a version holds all spheres.
 """
 
 from __future__ import annotations
 
-import json
-import os
-import subprocess
-from functools import lru_cache
-from pathlib import Path
+import math
+import shutil
+from functools import cache
 
 import numpy as np
-import OpenImageIO as oiio
 import pytest
-from harness import ROOT, delta_e, materials_folder
-from rough_truth import furnace_colours
-from truth import exact_colours, material_template, pixel_cosines
 
-SIZE = 64
-# Colours inside the gamut: EEVEE clips the others, as every form of nodes does.
-FILMS = {
-    "anodised_titanium": ("thickness_nm", 52.0),
-    "oil_on_water": ("thickness_nm", 420.0),
-    "tempered_steel": ("thickness_nm", 20.0),
-}
-CASES = [(material, roughness) for material in FILMS for roughness in (0.0, 0.35)]
+from blender.harness import Blender, Server, xvfb_command
+from support.colours import delta_e
+from support.paths import manifest
+from support.representatives import films, representatives
+from support.stored_truth import RoughFilm, stored_colours
+from support.truth import exact_colours, layers_of, material_template, pixel_cosines, varied
+
+# EEVEE reads textures through mip maps, which blur a table along its thickness too where a sphere is
+# small: mean ΔE00 of up to 4 at 32 pixels, 1.7 at 64.
+SIZE, COLUMNS = 96, 6
+# Without the rim, where a pixel sees past the sphere.
+COSINES, COUNTED = pixel_cosines(SIZE, 0.05)
+ROUGHNESSES = (0.0, 0.35)
+IN_GAMUT = -1e-4
+LIMIT = 1.0  # mean ΔE00
+# Looked at since there has been EEVEE in these tests, at these thicknesses.
+CHOSEN = {"anodised_titanium": 52.0, "oil_on_water": 420.0, "tempered_steel": 20.0}
 
 
-@lru_cache
-def expected(material: str, roughness: float) -> np.ndarray:
-    cosines, counted = pixel_cosines(SIZE, 0.05)
-    # A hundredth of the cosine is a hundredth of a colour at most.
-    distinct, inverse = np.unique(np.round(cosines[counted], 2), return_inverse=True)
-    template, value = material_template(material), FILMS[material][1]
-    if roughness == 0.0:
-        return exact_colours(template, value, distinct)["R"][inverse]
-    alpha = roughness**2
-    return furnace_colours(template, value, distinct, (alpha, alpha), paths=10_000)[inverse]
+def is_seen(film: str, roughness: float) -> bool:
+    """EEVEE picks the closures of a pixel by chance, so that films which let light through, or brushed
+    ones that are rough, take as many samples as a path tracer; and many layers below an incoherent one
+    take minutes to walk among facets."""
+    template = material_template(film)
+    brushed = any(socket["name"] == "tangent" for socket in manifest(film)["sockets"])
+    slow = len(layers_of(template)) > 20 and len(template["layer"]) > 1
+    passes = template.get("surface", {}).get("transmission", False)
+    return not passes and not slow and not (brushed and roughness > 0.0)
+
+
+CASES = [
+    (film, roughness)
+    for film in films()
+    if film in {*representatives(), *CHOSEN}
+    for roughness in ROUGHNESSES
+    if is_seen(film, roughness)
+]
+
+
+def value_of(film: str) -> float | None:
+    axis = varied(material_template(film))
+    return CHOSEN.get(film, axis and float(axis["default"]))
+
+
+def cell(film: str, roughness: float) -> dict:
+    """Over black where there is a base: the film alone."""
+    values = {"roughness": roughness, "base_colour": (0.0, 0.0, 0.0, 1.0)}
+    if value_of(film) is not None:
+        values[manifest(film)["tables"][0]["axes"][1]["name"]] = value_of(film)
+    names = {socket["name"] for socket in manifest(film)["sockets"]}
+    return {"material": film, "values": {k: v for k, v in values.items() if k in names}}
 
 
 @pytest.fixture(scope="module")
-def pictures(tmp_path_factory) -> dict[tuple[str, float], np.ndarray]:
-    program = os.environ.get("NACRE_BLENDER")
-    if not program:
-        pytest.skip("NACRE_BLENDER does not name a Blender program with a display")
-    folder = tmp_path_factory.mktemp("eevee")
-    jobs = [
-        {
-            "material": material,
-            "values": {FILMS[material][0]: FILMS[material][1], "roughness": roughness},
-            "size": SIZE,
-            "file": str(folder / f"{material}-{roughness}.exr"),
-        }
-        for material, roughness in CASES
-    ]
-    (folder / "jobs.json").write_text(json.dumps(jobs), "utf-8")
-    worker = Path(__file__).with_name("eevee_worker.py")
-    arguments = ["-b", "--factory-startup", "--python-exit-code", "3", "--python", worker, "--"]
-    done = subprocess.run(
-        [program, *arguments, ROOT / "addon", folder / "jobs.json"],
-        env={**os.environ, "NACRE_MATERIALS": str(materials_folder())},
-        capture_output=True,
-        text=True,
-        timeout=900,
-        check=False,
-    )
-    if not Path(jobs[-1]["file"]).is_file():
-        pytest.fail(f"{program}: {done.stdout[-2000:]}{done.stderr[-2000:]}")
-    return {
-        case: oiio.ImageBuf(job["file"]).get_pixels(oiio.FLOAT)[..., :3]
-        for case, job in zip(CASES, jobs, strict=True)
-    }
+def spheres(blender, tmp_path_factory):
+    if not shutil.which("xvfb-run"):
+        pytest.skip("EEVEE needs a display, and there is no xvfb-run (Debian's xvfb, xauth)")
+    server = Server(xvfb_command(blender.python))
+    shown = Blender(
+        blender.version, blender.python, server, tmp_path_factory.mktemp("eevee"),
+        {"LIBGL_ALWAYS_SOFTWARE": "1"},
+    )  # fmt: skip
+
+    def job() -> dict:
+        cells = [cell(*case) for case in CASES]
+        return {"cells": cells, "columns": COLUMNS, "size": SIZE, "samples": 1}
+
+    pictures = shown.pictures("eevee.atlas", job)
+
+    def sphere(film: str, roughness: float) -> np.ndarray:
+        row, column = divmod(CASES.index((film, roughness)), COLUMNS)
+        return pictures()[SIZE * row :, SIZE * column :][:SIZE, :SIZE]
+
+    yield sphere
+    server.close()
 
 
-@pytest.mark.parametrize(("material", "roughness"), CASES)
-def test_film_in_eevee(pictures, material, roughness, record_property):
-    _, counted = pixel_cosines(SIZE, 0.05)
-    errors = delta_e(pictures[material, roughness][counted], expected(material, roughness))
+@pytest.fixture(scope="session")
+def expected(update_refs):
+    @cache
+    def colours(film: str, roughness: float) -> np.ndarray:
+        # A hundredth of the cosine is a hundredth of a colour at most.
+        distinct, inverse = np.unique(np.round(COSINES[COUNTED], 2), return_inverse=True)
+        if roughness == 0.0:
+            return exact_colours(material_template(film), value_of(film), distinct)["R"][inverse]
+        alpha = roughness**2
+        rough = RoughFilm(film, value_of(film), (alpha, alpha), paths=10_000)
+        return stored_colours(rough, distinct, update=update_refs)[inverse]
+
+    return colours
+
+
+@pytest.mark.parametrize(("film", "roughness"), CASES)
+def test_film_in_eevee(spheres, expected, film, roughness, record_property):
+    colours = expected(film, roughness)
+    inside = colours.min(axis=1) > IN_GAMUT  # EEVEE clips the others, as every form of nodes does
+    errors = delta_e(spheres(film, roughness)[COUNTED][inside], colours[inside])
     record_property("dE00", f"mean {errors.mean():.3f}, max {errors.max():.3f}")
     print(f"dE00 mean {errors.mean():.3f}, max {errors.max():.3f} of {errors.size} pixels")
-    assert errors.mean() <= 1.0
+    assert errors.size >= 0.2 * math.pi / 4 * SIZE**2
+    assert errors.mean() <= LIMIT

@@ -21,7 +21,6 @@ using spectral::NamedSpectrum;
 using spectral::Sampled;
 using spectral::Vec3;
 
-constexpr Paint kInk = {0.13, 0.14, 0.16};
 constexpr Paint kBlue = {0.08, 0.33, 0.62};
 constexpr Paint kRed = {0.75, 0.22, 0.13};
 constexpr auto kEye = spectral::ObserverId::cie1931;

@@ -18,6 +18,8 @@ struct Paint {
     double red, green, blue, alpha = 1.0;  ///< encoded as sRGB
 };
 
+inline constexpr Paint kInk{0.13, 0.14, 0.16};
+
 struct Point {
     double x, y;
 };

@@ -10,7 +10,6 @@ namespace nacre::tool {
 namespace {
 
 constexpr Paint kPaper = {1.0, 1.0, 1.0};
-constexpr Paint kInk = {0.13, 0.14, 0.16};
 constexpr Paint kGrey = {0.42, 0.44, 0.47};
 constexpr Paint kRule = {0.89, 0.90, 0.91};
 constexpr double kMargin = 24.0;

@@ -22,8 +22,8 @@ constexpr Eigen::Index kNodes = 17;
 // Paths with more bounces carry less than 1e-3 of the light at alpha 1.
 constexpr std::size_t kMostBounces = 9;
 constexpr std::uint64_t kPaths = 20'000;
-constexpr std::size_t kStepNm = 5;
-constexpr Eigen::Index kBands = 1 + (spectral::kWavelengths - 1) / kStepNm;
+constexpr std::size_t kBandNm = 5;
+constexpr Eigen::Index kBands = 1 + (spectral::kWavelengths - 1) / kBandNm;
 
 /// Where paths of one view and roughness meet facets. Pairs as they come; from the third bounce on
 /// the facets are taken for independent of each other.
@@ -103,8 +103,8 @@ Eigen::Matrix<double, 3, Eigen::Dynamic> band_weights(const spectral::ColourWeig
     Eigen::Matrix<double, 3, Eigen::Dynamic> result =
         Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, kBands);
     for (std::size_t w = 0; w < spectral::kWavelengths; ++w) {
-        const auto band = std::min(static_cast<Eigen::Index>(w / kStepNm), kBands - 2);
-        const double t = static_cast<double>(w) / kStepNm - static_cast<double>(band);
+        const auto band = std::min(static_cast<Eigen::Index>(w / kBandNm), kBands - 2);
+        const double t = static_cast<double>(w) / kBandNm - static_cast<double>(band);
         for (Eigen::Index c = 0; c < 3; ++c) {
             const double weight = weights.weight[static_cast<std::size_t>(c)][w];
             result(c, band) += (1.0 - t) * weight;
@@ -129,8 +129,8 @@ std::vector<MatrixXd> facet_reflectance(const FilmTableRequest& request, std::si
             first, step, rows, [&](std::size_t row, std::size_t block, const optics::Lanes& R) {
                 for (std::size_t i = 0; i < optics::kLanes; ++i) {
                     const std::size_t wavelength = block * optics::kLanes + i;
-                    if (wavelength % kStepNm == 0 && wavelength < spectral::kWavelengths)
-                        result[row](node, static_cast<Eigen::Index>(wavelength / kStepNm)) = R[i];
+                    if (wavelength % kBandNm == 0 && wavelength < spectral::kWavelengths)
+                        result[row](node, static_cast<Eigen::Index>(wavelength / kBandNm)) = R[i];
                 }
             });
     });

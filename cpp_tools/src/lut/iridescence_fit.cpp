@@ -196,7 +196,7 @@ std::vector<Minimum> starts(const Search& search, bool range, std::size_t count)
     return cells;
 }
 
-Minimum refined(const Search& search, const Minimum& start, bool range)
+Minimum refined_minimum(const Search& search, const Minimum& start, bool range)
 {
     constexpr int kEvaluations = 900;
     // Away from the bounds, so that the first simplex has a volume.
@@ -250,7 +250,7 @@ IridescenceFit fit_iridescence(const FilmTableRequest& request, const std::vecto
     const Search search(request, values);
     std::vector<Minimum> candidates = starts(search, range, kStarts);
     tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
-        candidates[i] = refined(search, candidates[i], range);
+        candidates[i] = refined_minimum(search, candidates[i], range);
     });
     const Minimum& best = *std::ranges::min_element(candidates, {}, &Minimum::value);
     Point held = best.at;

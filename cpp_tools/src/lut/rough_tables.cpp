@@ -32,17 +32,17 @@ RoughSize rough_size(const Table& smooth)
     const auto share = [](int texels, int parts) {
         return static_cast<std::size_t>((texels + parts - 1) / parts);
     };
-    constexpr std::size_t kLeast = 17;
-    return {std::max(kLeast, share(smooth.x.texels, 4)),
-            smooth.y.texels == 1 ? 1 : std::max(kLeast, share(smooth.y.texels, 3))};
+    constexpr std::size_t kFewestTexels = 17;
+    return {std::max(kFewestTexels, share(smooth.x.texels, 4)),
+            smooth.y.texels == 1 ? 1 : std::max(kFewestTexels, share(smooth.y.texels, 3))};
 }
 
 /// The facets seen at one angle and roughness.
-struct View {
+struct SeenFacets {
     std::vector<double> weights;
     double albedo, cos_theta, slice;
 
-    View(double at, double slices, std::size_t columns)
+    SeenFacets(double at, double slices, std::size_t columns)
         : weights(columns), albedo(1.0), cos_theta(at), slice(slices)
     {
         const double roughness = slice / kRoughSlices;
@@ -63,7 +63,7 @@ private:
 };
 
 /// What a view sees of a row of a smooth table.
-Vec3 mean(const Table& table, std::size_t row, const View& view)
+Vec3 mean(const Table& table, std::size_t row, const SeenFacets& view)
 {
     Vec3 sum{};
     const float* colours = &table.texels[3 * row * view.weights.size()];
@@ -125,7 +125,7 @@ public:
         return static_cast<std::size_t>(smooth_.reflectance.x.texels);
     }
 
-    [[nodiscard]] RoughColour at(std::size_t row, const View& view) const
+    [[nodiscard]] RoughColour at(std::size_t row, const SeenFacets& view) const
     {
         RoughColour result{};
         const Vec3 R = mean(smooth_.reflectance, row, view);
@@ -185,8 +185,8 @@ Texels fill(const RoughColours& colours, RoughSize size)
                   .values = std::vector<RoughColour>(kSlices * size.width * size.height)};
     tbb::parallel_for(std::size_t{0}, kSlices * size.width, [&](std::size_t i) {
         const std::size_t slice = i / size.width, x = i % size.width;
-        const View view(static_cast<double>(x) * step_of(size), static_cast<double>(slice + 1),
-                        colours.columns());
+        const SeenFacets view(static_cast<double>(x) * step_of(size),
+                              static_cast<double>(slice + 1), colours.columns());
         for (std::size_t y = 0; y < size.height; ++y)
             texels.values[y * kSlices * size.width + i] = colours.at(exact_row(size, 2 * y), view);
     });
@@ -212,8 +212,8 @@ Errors strip_errors(const RoughColours& colours, const Texels& texels, std::size
     const double cos_theta = (static_cast<double>(x) + 0.5) * step_of(size);
     Errors errors;
     if (cos_theta < kLeastCountedCosine) return errors;
-    const View exact(cos_theta, static_cast<double>(slice) + 0.5, colours.columns());
-    const View mirror(cos_theta, 0.0, colours.columns());
+    const SeenFacets exact(cos_theta, static_cast<double>(slice) + 0.5, colours.columns());
+    const SeenFacets mirror(cos_theta, 0.0, colours.columns());
     const double share = slice_share(static_cast<double>(slice) + 0.5, static_cast<int>(slice));
     for (std::size_t y = 0; y < std::max<std::size_t>(1, size.height - 1); ++y) {
         const std::size_t up = std::min(y + 1, size.height - 1), row = exact_row(size, 2 * y + 1);

@@ -8,16 +8,12 @@
 
 #include "nacre/core/diagnostics.h"
 #include "sinc.h"
+#include "vector.h"
 
 namespace nacre::optics {
 namespace {
 
 using std::numbers::pi;
-
-double dot(const Direction& a, const Direction& b) noexcept
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 Direction combine(double a, const Direction& u, double b, const Direction& v) noexcept
 {
@@ -29,7 +25,7 @@ double length(const Direction& v) noexcept
     return std::hypot(v[0], v[1], v[2]);
 }
 
-Direction normalised(const Direction& v) noexcept
+Direction unit_vector(const Direction& v) noexcept
 {
     const double scale = 1.0 / length(v);
     return {v[0] * scale, v[1] * scale, v[2] * scale};
@@ -84,7 +80,7 @@ void check(const Grating& grating, const Direction& k_in, double wavelength_nm, 
     require(profile.duty >= 0.0 && profile.duty <= 1.0, "profile.duty", "must be in [0, 1]");
     problems.throw_if_any();
 
-    const Direction normal = normalised(grating.normal), g = normalised(grating.grating_vector);
+    const Direction normal = unit_vector(grating.normal), g = unit_vector(grating.grating_vector);
     require(dot(k_in, normal) < 0.0, "k_in", "must point towards the surface (k_in · normal < 0)");
     require(length(combine(1.0, g, -dot(g, normal), normal)) > 1e-9, "grating_vector",
             "must not be parallel to the normal");
@@ -116,10 +112,10 @@ struct Mounting {
 Mounting mount(const Grating& grating, const Direction& k_in, double wavelength_nm)
 {
     Mounting mounting{};
-    mounting.normal = normalised(grating.normal);
+    mounting.normal = unit_vector(grating.normal);
     const Direction& g = grating.grating_vector;
-    mounting.groove = normalised(combine(1.0, g, -dot(g, mounting.normal), mounting.normal));
-    const Direction k = normalised(k_in);
+    mounting.groove = unit_vector(combine(1.0, g, -dot(g, mounting.normal), mounting.normal));
+    const Direction k = unit_vector(k_in);
     mounting.cos_in = -dot(k, mounting.normal);
     mounting.tangential = combine(1.0, k, mounting.cos_in, mounting.normal);
     mounting.along = dot(mounting.tangential, mounting.groove);

@@ -11,12 +11,26 @@
 // The series of intensities of incoherent_series.cpp, on lanes.
 
 namespace nacre::optics {
+
+namespace detail {
+
+/// A packet of coherent layers, for light from one side.
+struct OneWay {
+    AngledStack stack;
+    std::size_t varying;  ///< layer whose thickness is free, counted on the way; kNone
+
+    BatchPower power{};  ///< where nothing varies
+};
+
+}  // namespace detail
+
 namespace {
 
 using detail::AngledStack;
 using detail::Crossing;
 using detail::LaneFields;
 using detail::LaneTrip;
+using detail::OneWay;
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
@@ -50,14 +64,6 @@ void add_packet(Intensities& sum, const LanePower& down, const LanePower& up, co
         sum.T[i] = down.T[i] * pass[i] * sum.T[i] / series;
     }
 }
-
-/// A packet of coherent layers, for light from one side.
-struct OneWay {
-    AngledStack stack;
-    std::size_t varying;  ///< layer whose thickness is free, counted on the way; kNone
-
-    BatchPower power{};  ///< where nothing varies
-};
 
 /// How the passages of a packet begin and what they gain by row.
 struct Marching {
@@ -96,7 +102,7 @@ struct Marching {
 /// Packets from the substrate up; the first lies on it.
 struct MixedStack::Work {
     struct Packet {
-        OneWay down, up;
+        detail::OneWay down, up;
         bool varies;
         Lanes pass_below{};  ///< what one passage through the layer below leaves
     };

@@ -15,7 +15,6 @@
 namespace nacre::optics {
 namespace {
 
-using detail::Incidence;
 using detail::MeanPower;
 using detail::PacketResponse;
 using detail::Real;
@@ -62,7 +61,7 @@ PowerRatios stack_power(const FilmStack& stack, double cos_ambient, double wavel
                         Polarisation polarisation)
 {
     assert(!validate(stack));
-    const Incidence incidence{stack.ambient, cos_ambient, wavelength_nm};
+    const detail::Incidence incidence{stack.ambient, cos_ambient, wavelength_nm};
     const auto coherent = [](const Layer& layer) { return layer.coherent; };
     if (!std::all_of(stack.layers.begin(), stack.layers.end(), coherent)) {
         const detail::Packet whole = detail::packets(stack, incidence, polarisation).front();

@@ -7,14 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "vector.h"
+
 namespace nacre::optics {
-
-using Vector = std::array<double, 3>;
-
-inline double dot(const Vector& a, const Vector& b) noexcept
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
 
 inline Vector normalised(const Vector& v) noexcept
 {

@@ -13,6 +13,9 @@ import bpy
 
 from . import extension
 
+# Normals are smooth between them; the picture's rim is left out of comparisons.
+RINGS = 64
+
 
 def engine(scene: bpy.types.Scene) -> str:
     engines = scene.render.bl_rna.properties["engine"].enum_items.keys()
@@ -20,7 +23,8 @@ def engine(scene: bpy.types.Scene) -> str:
 
 
 def atlas(**job) -> None:
-    """`cells` (material, values), `columns`, the `size` of a cell, samples, file."""
+    """`cells` (material, values), `columns`, the `size` of a cell, samples, file; `unlit_behind`: what
+    passes the films sees black, though they reflect white."""
     materials = extension.module("nodes.material")
     library = extension.module("core.library").Library.default()
     add_sphere = extension.module("scenes.shape").sphere
@@ -31,13 +35,14 @@ def atlas(**job) -> None:
     for at, cell in enumerate(job["cells"]):
         row, column = divmod(at, columns)
         place = (2.0 * column - columns + 1, rows - 1.0 - 2 * row, 0.0)
-        ball = add_sphere(scene, f"Ball {at}", place, 1.0, rings=128)
+        ball = add_sphere(scene, f"Ball {at}", place, 1.0, rings=RINGS)
         material = materials.create_material(library.load(cell["material"]), "nodes")
         materials.set_values(material, cell["values"])
         ball.data.materials.append(material)
     scene.render.engine = engine(scene)
     scene.eevee.taa_render_samples = job["samples"]
-    scene.render.filter_size = 0.0
+    scene.render.film_transparent = job.get("unlit_behind", False)
+    scene.render.filter_size = 0.0  # the first sample lies at the pixel's centre
     render = scene.render
     render.resolution_x, render.resolution_y = columns * job["size"], rows * job["size"]
     render.resolution_percentage = 100

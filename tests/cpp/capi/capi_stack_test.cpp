@@ -10,10 +10,11 @@
 #include <vector>
 
 #include "nacre/capi.h"
+#include "support/not_numbers.h"
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using nacre::test::kNan;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Arguments of nacre_stack for `count` copies of one film on glass.

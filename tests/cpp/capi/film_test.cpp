@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/capi.h"
+#include "refusal.h"
+#include "support/not_numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +12,9 @@
 
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+using nacre::test::kNan;
 
-/// The message of a call that is refused.
-std::string error(nacre_status status)
-{
-    EXPECT_EQ(status, NACRE_INPUT);
-    return nacre_last_error();
-}
+using nacre::test::error;
 
 struct FilmCall {
     std::vector<double> n, d_nm{300.0};

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/capi/library.h"
+#include "refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +10,7 @@
 
 namespace {
 
-/// The message of a call that is refused.
-std::string error(nacre_status status)
-{
-    EXPECT_EQ(status, NACRE_INPUT);
-    return nacre_last_error();
-}
+using nacre::test::error;
 
 std::vector<std::string> found(int kind, const char* text, const char* tag)
 {

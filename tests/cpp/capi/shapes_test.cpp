@@ -8,14 +8,11 @@
 #include <string>
 
 #include "nacre/capi/library.h"
+#include "refusal.h"
 
 namespace {
 
-std::string error(nacre_status status)
-{
-    EXPECT_EQ(status, NACRE_INPUT);
-    return nacre_last_error();
-}
+using nacre::test::error;
 
 nacre_shape shape(nacre_shape_kind kind, const std::array<double, 4>& numbers)
 {

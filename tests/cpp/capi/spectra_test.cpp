@@ -10,16 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "refusal.h"
 #include "support/own_library.h"
 
 namespace {
 
-/// The message of a call that is refused.
-std::string error(nacre_status status)
-{
-    EXPECT_EQ(status, NACRE_INPUT);
-    return nacre_last_error();
-}
+using nacre::test::error;
 
 TEST(CapiIlluminant, ByNameAndByForm)
 {

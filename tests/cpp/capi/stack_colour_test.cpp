@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/capi/stack_colour.h"
+#include "refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -9,11 +10,7 @@
 
 namespace {
 
-std::string error(nacre_status status)
-{
-    EXPECT_EQ(status, NACRE_INPUT);
-    return nacre_last_error();
-}
+using nacre::test::error;
 
 constexpr nacre_colour_options kOptions{.illuminant = "D65",
                                         .observer = "cie1931",

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/capi/templates.h"
+#include "refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -9,12 +10,7 @@
 
 namespace {
 
-/// The message of a call that is refused.
-std::string error(nacre_status status)
-{
-    EXPECT_EQ(status, NACRE_INPUT);
-    return nacre_last_error();
-}
+using nacre::test::error;
 
 const char* const kTemplate = R"(schema = 1
 [material]

@@ -44,17 +44,15 @@ public:
     [[nodiscard]] Albedo albedo(double cos_theta, std::array<double, 2> alpha,
                                 std::uint64_t paths) const
     {
-        spectral::Sampled once{}, all{};
+        spectral::Sampled once{}, all{}, product{};
         optics::walk_microsurface({.view = {std::sqrt(1.0 - cos_theta * cos_theta), 0.0, cos_theta},
                                    .alpha = alpha,
                                    .paths = paths},
                                   [&](std::span<const double> cosines, const auto&) {
-                                      for (std::size_t w = 0; w < spectral::kWavelengths; ++w) {
-                                          double product = 1.0;
-                                          for (const double c : cosines) product *= at(c, w);
-                                          all[w] += product;
-                                          if (cosines.size() == 1) once[w] += product;
-                                      }
+                                      product.fill(1.0);
+                                      for (const double c : cosines) multiply(product, c);
+                                      add(all, product);
+                                      if (cosines.size() == 1) add(once, product);
                                   });
         for (std::size_t w = 0; w < spectral::kWavelengths; ++w) {
             once[w] /= static_cast<double>(paths);
@@ -66,13 +64,19 @@ public:
 private:
     static constexpr std::size_t kSteps = 1024;
 
-    [[nodiscard]] double at(double cosine, std::size_t w) const
+    /// Wavelengths lie side by side, so that one facet costs a pass over them.
+    void multiply(spectral::Sampled& product, double cosine) const
     {
         const double x = cosine * kSteps;
         const std::size_t i = std::min(static_cast<std::size_t>(x), kSteps - 1);
         const double t = x - static_cast<double>(i);
-        const double* values = &reflectance_[i * spectral::kWavelengths + w];
-        return (1.0 - t) * values[0] + t * values[spectral::kWavelengths];
+        const double* values = &reflectance_[i * spectral::kWavelengths];
+        for (std::size_t w = 0; w < spectral::kWavelengths; ++w)
+            product[w] *= (1.0 - t) * values[w] + t * values[spectral::kWavelengths + w];
+    }
+    static void add(spectral::Sampled& sum, const spectral::Sampled& product)
+    {
+        for (std::size_t w = 0; w < spectral::kWavelengths; ++w) sum[w] += product[w];
     }
 
     spectral::ColourWeights weights_;

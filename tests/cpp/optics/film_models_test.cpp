@@ -31,7 +31,7 @@ Polarisation any_polarisation()
 }
 
 /// Air above, so that nothing is reflected totally.
-SingleFilm any_film(Complex base)
+SingleFilm any_single_film(Complex base)
 {
     return {1.0, *between(1.05, 3.0), base, *between(0.0, 2000.0)};
 }
@@ -43,21 +43,21 @@ Incidence any_light()
 
 RC_GTEST_PROP(FilmModels, AiryIsTheMultilayer, ())
 {
-    const SingleFilm film = any_film(*between(1.05, 3.0));
+    const SingleFilm film = any_single_film(*between(1.05, 3.0));
     const Incidence light = any_light();
     RC_ASSERT(std::abs(airy_reflectance(film, light) - exact(film, light)) < 1e-12);
 }
 
 RC_GTEST_PROP(FilmModels, OpaqueBaseIsTheMultilayer, ())
 {
-    const SingleFilm film = any_film(*test::index_of_any());
+    const SingleFilm film = any_single_film(*test::index_of_any());
     const Incidence light = any_light();
     RC_ASSERT(std::abs(opaque_base_reflectance(film, light) - exact(film, light)) < 1e-12);
 }
 
 RC_GTEST_PROP(FilmModels, FreeFilmAndEtalonAreTheMultilayer, ())
 {
-    const SingleFilm film = any_film(1.0);
+    const SingleFilm film = any_single_film(1.0);
     const Incidence light = any_light();
     const double reflected = exact(film, light);
     RC_ASSERT(std::abs(free_film_reflectance(film, light) - reflected) < 1e-12);
@@ -118,7 +118,7 @@ TEST(FilmModels, RecursionTakesTheWholeRoundTrip)
 
 RC_GTEST_PROP(FilmModels, SeriesStaysWithinItsBound, ())
 {
-    const SingleFilm film = any_film(*between(1.05, 3.0));
+    const SingleFilm film = any_single_film(*between(1.05, 3.0));
     const Incidence light = any_light();
     const double error = std::abs(series_reflectance(film, light) - exact(film, light));
     RC_ASSERT(error <= series_error_bound(film, light) + 1e-13);

@@ -7,13 +7,14 @@
 
 #include <cmath>
 
+#include "optics/light.h"
 #include "stacks.h"
 #include "support/expect.h"
 
 namespace nacre::optics {
 namespace {
 
-constexpr Complex kGold{0.47, 2.41}, kGlass{1.5, 0.0}, kAir{1.0, 0.0};
+constexpr Complex kGlass{1.5, 0.0}, kAir{1.0, 0.0};
 constexpr Complex kI{0.0, 1.0};
 
 FresnelAmplitudes interface(Complex n_i, Complex n_t, Complex cos_i)

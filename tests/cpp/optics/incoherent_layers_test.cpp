@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "nacre/optics/multilayer.h"
+#include "optics/light.h"
 
 // Layers across which intensities are added.
 
@@ -14,9 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kNm = 550.0;
 constexpr double kPane = 4e6;  // nm
-constexpr auto kBoth = {Polarisation::s, Polarisation::p};
 
 double interface_reflectance(Complex n_i, Complex n_t, double cosine, Polarisation polarisation)
 {

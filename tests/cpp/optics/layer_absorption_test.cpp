@@ -7,14 +7,12 @@
 #include <numeric>
 
 #include "nacre/optics/multilayer.h"
+#include "optics/light.h"
 
 // What each layer takes.
 
 namespace nacre::optics {
 namespace {
-
-constexpr double kNm = 550.0;
-constexpr auto kBoth = {Polarisation::s, Polarisation::p};
 
 double sum(const std::vector<double>& values)
 {

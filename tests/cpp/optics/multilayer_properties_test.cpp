@@ -7,14 +7,13 @@
 #include <cmath>
 
 #include "nacre/optics/multilayer.h"
+#include "optics/light.h"
 #include "stacks.h"
 
 // Laws that every stack obeys.
 
 namespace nacre::optics {
 namespace {
-
-constexpr auto kBoth = {Polarisation::s, Polarisation::p};
 
 double distance(const Amplitudes& a, const Amplitudes& b)
 {

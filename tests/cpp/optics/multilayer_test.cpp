@@ -8,16 +8,13 @@
 #include <limits>
 #include <numbers>
 
+#include "optics/light.h"
 #include "support/expect.h"
 
 namespace nacre::optics {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double kNm = 550.0;
-constexpr Complex kGold{0.47, 2.41};
-constexpr auto kBoth = {Polarisation::s, Polarisation::p};
 
 double cosine_of(double degrees)
 {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "nacre/optics/multilayer.h"
+#include "optics/light.h"
 
 // Layers whose phase is spread: mean of R and T over normally distributed phases.
 
@@ -15,9 +16,6 @@ namespace nacre::optics {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double kNm = 550.0;
-constexpr auto kBoth = {Polarisation::s, Polarisation::p};
 
 /// Clear layers only: their spread of phase is one of thickness.
 PowerRatios mean_over_thickness(const FilmStack& stack, double cosine, Polarisation polarisation,

@@ -19,7 +19,7 @@ std::string text_of(const std::string& id)
     return std::string(find_resource("templates/" + id + ".toml").value());
 }
 
-material::MaterialTemplate shipped(const std::string& id)
+material::MaterialTemplate parsed(const std::string& id)
 {
     return material::parse_template(text_of(id), id + ".toml");
 }
@@ -35,7 +35,7 @@ std::vector<TableLayout> layout_of(const CompiledMaterial& compiled)
 TEST(PreviewTables, FitEveryKindOfFilm)
 {
     for (const char* id : {"soap_film", "oil_on_water", "jewel_beetle", "dichroic_mirror"}) {
-        const auto source = shipped(id);
+        const auto source = parsed(id);
         CompileOptions options;
         options.tolerance = 1.0;
         const CompiledMaterial compiled = compile(source, options);
@@ -120,7 +120,7 @@ TEST(PreviewTables, FollowAnEdit)
 
 TEST(PreviewTables, RefuseWhatSuchAFilmDoesNotHave)
 {
-    const auto source = shipped("tempered_steel");
+    const auto source = parsed("tempered_steel");
     const auto problem = [&](const std::string& name, lut::TexelSize size) -> std::string {
         try {
             static_cast<void>(preview_tables(source, {}, std::vector<TableLayout>{{name, size}}));
@@ -144,7 +144,7 @@ TEST(FilmSpectrum, IsWhatTheTableIsMadeFrom)
 {
     for (const auto& [id, value] :
          {std::pair{"soap_film", 420.0}, {"jewel_beetle", 1.1}, {"dichroic_mirror", 1.0}}) {
-        const auto source = shipped(id);
+        const auto source = parsed(id);
         const auto spectrum = film_spectrum(source, {}, 0.7, value);
         const lut::FilmColour exact = lut::exact_film_colour(film_request(source, {}), 0.7, value);
         for (std::size_t c = 0; c < 3; ++c) {

@@ -6,15 +6,11 @@
 #include <limits>
 
 #include "nacre/spectral/colour.h"
+#include "spectral/grid.h"
 #include "support/expect.h"
 
 namespace nacre::spectral {
 namespace {
-
-constexpr std::size_t at_nm(int nm)
-{
-    return static_cast<std::size_t>(nm - kFirstNm);
-}
 
 TEST(NamedIlluminant, HoldsTheTablesOfTheCie)
 {

@@ -5,15 +5,11 @@
 #include <numeric>
 
 #include "nacre/spectral/wavelengths.h"
+#include "spectral/grid.h"
 #include "support/expect.h"
 
 namespace nacre::spectral {
 namespace {
-
-constexpr std::size_t at_nm(int nm)
-{
-    return static_cast<std::size_t>(nm - kFirstNm);
-}
 
 // ISO/CIE 11664-1:2019, table 1.
 TEST(Observer, HoldsTheTableOf1931)

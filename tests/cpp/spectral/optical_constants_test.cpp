@@ -6,12 +6,13 @@
 #include <limits>
 
 #include "support/expect.h"
+#include "support/not_numbers.h"
 
 namespace nacre::spectral {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
+using test::kInf;
+using test::kNan;
 
 TEST(ConstantIndex, IsTheSameEverywhere)
 {

@@ -8,16 +8,12 @@
 
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/optical_constants.h"
+#include "spectral/grid.h"
 #include "support/expect.h"
 #include "support/own_library.h"
 
 namespace nacre::spectral {
 namespace {
-
-constexpr std::size_t at_nm(int nm)
-{
-    return static_cast<std::size_t>(nm - kFirstNm);
-}
 
 TEST(SpectrumLibrary, EveryEntryHasACitationALicenceAndSoundValues)
 {

@@ -10,12 +10,13 @@
 #include "nacre/core/limits.h"
 #include "nacre/spectral/spectrum_library.h"
 #include "support/expect.h"
+#include "support/not_numbers.h"
 
 namespace nacre::spectral {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
+using test::kInf;
+using test::kNan;
 
 /// One shape at one wavelength.
 double value(const SpectrumShape& shape, double nm)

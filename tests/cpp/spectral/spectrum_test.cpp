@@ -5,18 +5,15 @@
 #include <cmath>
 #include <limits>
 
+#include "spectral/grid.h"
 #include "support/expect.h"
+#include "support/not_numbers.h"
 
 namespace nacre::spectral {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInf = std::numeric_limits<double>::infinity();
-
-constexpr std::size_t at_nm(int nm)
-{
-    return static_cast<std::size_t>(nm - kFirstNm);
-}
+using test::kInf;
+using test::kNan;
 
 std::vector<double> steps(double first, double last, double step)
 {

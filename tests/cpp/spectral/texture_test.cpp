@@ -11,7 +11,7 @@
 namespace nacre::spectral {
 namespace {
 
-std::string message_of(std::string_view text)
+std::string ftxt_error(std::string_view text)
 {
     try {
         (void)read_ftxt(text, "cmf.ftxt");
@@ -59,17 +59,17 @@ TEST(Ftxt, FewerChannelsAreFilled)
 
 TEST(Ftxt, NothingIsLoadedFromABadFile)
 {
-    EXPECT_EQ(message_of("2;1\n1;2;3;4\n"),
+    EXPECT_EQ(ftxt_error("2;1\n1;2;3;4\n"),
               "cmf.ftxt:2: texel: must be as many as 2 x 1 = 2 (got 1)");
-    EXPECT_EQ(message_of("1;1\n1;2;3;4\n1;2;3;4\n"),
+    EXPECT_EQ(ftxt_error("1;1\n1;2;3;4\n1;2;3;4\n"),
               "cmf.ftxt:3: texel: must be as many as 1 x 1 = 1 (got 2)");
-    EXPECT_EQ(message_of("1;1\n1;2;3\n"), "cmf.ftxt:2: texel: must be r;g;b;a (got 3 numbers)");
-    EXPECT_EQ(message_of("1;1\n1;two;nan;4\n"),
+    EXPECT_EQ(ftxt_error("1;1\n1;2;3\n"), "cmf.ftxt:2: texel: must be r;g;b;a (got 3 numbers)");
+    EXPECT_EQ(ftxt_error("1;1\n1;two;nan;4\n"),
               "cmf.ftxt:2: texel: must be finite numbers (got two)\n"
               "cmf.ftxt:2: texel: must be finite numbers (got nan)");
-    EXPECT_EQ(message_of(""), "cmf.ftxt: size: must be width;height (got nothing)");
+    EXPECT_EQ(ftxt_error(""), "cmf.ftxt: size: must be width;height (got nothing)");
     for (const char* size : {"0;1", "1.5;1", "1", "1;1;1", "65537;1", "-1;1", "a;b", "1e999;1"})
-        EXPECT_NE(message_of(std::string(size) + "\n1;1;1;1\n")
+        EXPECT_NE(ftxt_error(std::string(size) + "\n1;1;1;1\n")
                       .find("1: size: must be width;height, whole numbers in [1, 65536] (got "),
                   std::string::npos)
             << size;
@@ -77,7 +77,7 @@ TEST(Ftxt, NothingIsLoadedFromABadFile)
 
 TEST(Ftxt, ALargeSizeAsksForNoMemory)
 {
-    EXPECT_NE(message_of("65536;65536\n1;1;1;1\n").find("4294967296 (got 1)"), std::string::npos);
+    EXPECT_NE(ftxt_error("65536;65536\n1;1;1;1\n").find("4294967296 (got 1)"), std::string::npos);
 }
 
 }  // namespace
