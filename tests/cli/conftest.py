@@ -5,6 +5,9 @@
 from __future__ import annotations
 
 import json
+import os
+import shutil
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -19,6 +22,24 @@ def nacre() -> Tool:
     if not program.is_file():
         pytest.fail(f"{program} is not built; set NACRE to the program under test")
     return Tool(program)
+
+
+@pytest.fixture(scope="session")
+def prefix(nacre, tmp_path_factory) -> Path:
+    """An installation, under another name than it was installed by: nothing may depend on that."""
+    build = nacre.program.parents[1]
+    cmake = shutil.which("cmake")
+    if not cmake or not (build / "cmake_install.cmake").is_file():
+        pytest.skip(f"needs cmake and a build tree in {build}")
+    if not os.access(build, os.W_OK):
+        pytest.skip(f"cmake --install keeps a list of its files in {build}, which is not writable")
+    installed = tmp_path_factory.mktemp("prefix") / "installed"
+    done = subprocess.run(
+        [cmake, "--install", build, "--prefix", installed],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
+    return installed.rename(installed.with_name("moved"))
 
 
 @pytest.fixture(autouse=True)

@@ -4,20 +4,11 @@
 
 from __future__ import annotations
 
-import shutil
 import subprocess
-from pathlib import Path
 
-import pytest
-
-from support.paths import ROOT, tool
+from support.paths import ROOT
 
 CONSUMER = ROOT / "tests" / "consumer"
-
-
-def build_folder() -> Path:
-    """The build tree of the program that NACRE names, else the release build."""
-    return tool().parents[1]
 
 
 def run(*command) -> str:
@@ -26,18 +17,6 @@ def run(*command) -> str:
     )
     assert result.returncode == 0, result.stdout + result.stderr
     return result.stdout
-
-
-@pytest.fixture(scope="module")
-def prefix(tmp_path_factory) -> Path:
-    if not shutil.which("cmake"):
-        pytest.skip("needs cmake")
-    if not (build_folder() / "cmake_install.cmake").is_file():
-        pytest.skip(f"needs a build tree in {build_folder()}")
-    installed = tmp_path_factory.mktemp("consumer") / "installed"
-    run("cmake", "--install", build_folder(), "--prefix", installed)
-    # Under another name: the package must not remember where it was installed.
-    return installed.rename(installed.with_name("moved"))
 
 
 def test_project_finds_links_and_runs(prefix, tmp_path):

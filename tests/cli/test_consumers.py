@@ -212,14 +212,14 @@ def middle(picture):
 def test_mitsuba_bubble_cannot_be_seen_in_a_white_world(nacre, tmp_path):
     """What is clear and thin reflects and passes all."""
     nacre.ok("export", "mitsuba", "--material", "soap_film", "-o", tmp_path / "x.xml")
-    picture = render(tmp_path, "scalar_rgb", tmp_path / "x.xml", "soap_film", 64)
+    picture = render(tmp_path, "scalar_rgb", tmp_path / "x.xml", "soap_film", 128)
     assert middle(picture) == pytest.approx(np.ones(3), abs=0.01)
 
 
 def test_mitsuba_stone_makes_no_light(nacre, tmp_path):
     """Eight bounces leave a little inside."""
     nacre.ok("export", "mitsuba", "--material", "mystic_topaz", "-o", tmp_path / "x.xml")
-    picture = render(tmp_path, "scalar_rgb", tmp_path / "x.xml", "mystic_topaz", 64)
+    picture = render(tmp_path, "scalar_rgb", tmp_path / "x.xml", "mystic_topaz", 256)
     assert (middle(picture) < 1.01).all()
     assert (middle(picture) > 0.9).all()
 

@@ -6,26 +6,15 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
-import subprocess
 
 import pytest
 
 from support.tool import Tool
 
 
-@pytest.fixture(scope="module")
-def installed(nacre, tmp_path_factory) -> Tool:
-    build = nacre.program.parents[1]
-    cmake = shutil.which("cmake")
-    if not cmake or not (build / "cmake_install.cmake").is_file():
-        pytest.skip("needs cmake and the build tree of the program under test")
-    prefix = tmp_path_factory.mktemp("prefix")
-    subprocess.run([cmake, "--install", build, "--prefix", prefix], check=True, capture_output=True)
-    # Under another name: nothing may depend on where it was installed.
-    moved = prefix.with_name(prefix.name + "-moved")
-    prefix.rename(moved)
-    return Tool(moved / "bin" / "nacre")
+@pytest.fixture
+def installed(prefix) -> Tool:
+    return Tool(prefix / "bin" / "nacre")
 
 
 def test_layout(installed, templates):

@@ -11,6 +11,7 @@ import shutil
 import signal
 import subprocess
 import time
+from pathlib import Path
 
 import pytest
 
@@ -98,6 +99,7 @@ def test_full_disc_leaves_the_old_material(nacre, templates, tmp_path):
     } == before
 
 
+@pytest.mark.skipif(not Path("/dev/full").exists(), reason="needs /dev/full")
 def test_full_standard_output(nacre):
     with open("/dev/full", "w") as full:
         result = subprocess.run(
@@ -179,6 +181,8 @@ def catches(pid, number):
 
 
 def start_long_bake(nacre, film_json, target):
+    if not Path("/proc/self/status").exists():
+        pytest.skip("needs /proc, which tells when the program is ready for signals")
     process = subprocess.Popen(
         [nacre.program, "bake", "stack", film_json, *LONG, "-o", target],
         stderr=subprocess.PIPE,

@@ -151,7 +151,7 @@ def test_shipped_templates_compile(name):
 
 
 def test_compiling_twice_gives_the_same():
-    text = (TEMPLATES / "soap_film.toml").read_text("utf-8")
+    text = (TEMPLATES / "soap_film.toml").read_text("utf-8").replace("max = 1500", "max = 450")
     first, second = (nacre.compile_template(text, tolerance=1.0) for _ in range(2))
     assert first.osl == second.osl
     assert first.manifest == second.manifest

@@ -88,7 +88,9 @@ def test_stacks_read_the_grid_where_it_lies():
 
 def long_call():
     index = [1, 2.2 + 0.01j, 1.4, 1.5]
-    return nacre.film_lut(index, [100, 200], varying=0, range_=(0, 1000), tolerance=None)
+    return nacre.film_lut(
+        index, [100, 200], varying=0, range_=(0, 1000), tolerance=None, size=(64, 64)
+    )
 
 
 def test_other_threads_run_while_the_library_computes():

@@ -130,7 +130,9 @@ TEST_F(FileIo, KilledWriterLeavesTheOldFileWhole)
 TEST(WriteAndSync, SaysThatTheDiscIsFull)
 {
     const FileDescriptor full(::open("/dev/full", O_WRONLY | O_CLOEXEC));
-    ASSERT_TRUE(full.valid());
+    if (!full.valid()) {
+        GTEST_SKIP() << "this machine has no /dev/full";
+    }
     EXPECT_INPUT_ERROR(write_and_sync(full.get(), "x", "out.exr"),
                        "out.exr: cannot be written: no space left on the disc");
 }
