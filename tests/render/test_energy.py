@@ -75,7 +75,9 @@ def furnaces(blender):
 
 
 @pytest.mark.parametrize(
-    ("blender", "form", "film", "thickness_nm", "roughness"), CASES, indirect=["blender"]
+    ("blender_version", "form", "film", "thickness_nm", "roughness"),
+    CASES,
+    indirect=["blender_version"],
 )
 def test_no_light_is_made(furnaces, form, film, thickness_nm, roughness, record_property):
     cosines, counted = pixel_cosines(SIZE)

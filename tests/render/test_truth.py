@@ -152,7 +152,7 @@ def furnaces(blender):
 
 def each(cases: list[tuple]):
     return pytest.mark.parametrize(
-        ("blender", "form", "material", "value"), cases, indirect=["blender"]
+        ("blender_version", "form", "material", "value"), cases, indirect=["blender_version"]
     )
 
 
