@@ -46,7 +46,7 @@ def program(material: str) -> str:
     return (materials_folder() / material / f"{material}.osl").read_text("utf-8")
 
 
-def _program_shape(text: str) -> list[str]:
+def program_shape(text: str) -> list[str]:
     """Lines of the shader itself without metadata, names and numbers; equal ones in a row, as lobes
     and their tables are, count once."""
     body = text[re.search(r"^shader ", text, re.M).start() :]
@@ -81,7 +81,7 @@ def _graph_shape(graph: dict | None) -> list:
 def shape(material: str) -> str:
     """Of its program and of its node graph, as a hash."""
     parts = [
-        _program_shape(program(material)),
+        program_shape(program(material)),
         _graph_shape(manifest(material)["graphs"].get("nodes")),
     ]
     return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:12]
