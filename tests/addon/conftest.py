@@ -12,7 +12,8 @@ from pathlib import Path
 import pytest
 
 from blender.harness import Blender
-from support.paths import ADDON, FIXTURES, STAGE_EXTENSION, TEMPLATES, materials_folder, nacre
+from support.paths import ADDON, FIXTURES, STAGE_EXTENSION, TEMPLATES, materials_folder
+from support.tool import nacre
 
 INSIDE = Path(__file__).resolve().parent / "inside"
 

@@ -21,7 +21,8 @@ from nacre_extension.core.stack import (
     write_template,
 )
 
-from support.paths import TEMPLATES, nacre
+from support.paths import TEMPLATES
+from support.tool import nacre
 
 FILMS = [
     path for path in sorted(TEMPLATES.glob("*.toml")) if "[ambient]" in path.read_text("utf-8")

@@ -20,7 +20,7 @@ from nacre_extension.core.whole_file import is_whole
 
 from support.images import read_all
 from support.paths import TEMPLATES
-from support.paths import nacre as run_nacre
+from support.tool import nacre as run_nacre
 
 SOAP = (TEMPLATES / "soap_film.toml").read_text("utf-8")
 

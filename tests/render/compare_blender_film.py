@@ -24,7 +24,8 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
 from blender.harness import VERSIONS, Blender, Blenders
 from support.colours import delta_e
-from support.paths import PACKAGE, ROOT, manifest, nacre
+from support.paths import PACKAGE, ROOT, manifest
+from support.tool import nacre
 
 sys.path.insert(0, str(PACKAGE))
 

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 import pytest
 
-from support.paths import TEMPLATES, manifest, nacre
+from support.paths import TEMPLATES, manifest
+from support.tool import nacre
 
 HEIGHT = 128
 WAVELENGTHS = np.arange(380.0, 761.0)

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from support.colours import delta_e
-from support.paths import nacre
 from support.representatives import FORMS
+from support.tool import nacre
 from support.truth import colour, pixel_cosines, spectra
 
 TEMPLATE = """\

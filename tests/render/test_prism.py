@@ -11,7 +11,8 @@ import tomllib
 import numpy as np
 import pytest
 
-from support.paths import TEMPLATES, materials_folder, nacre
+from support.paths import TEMPLATES, materials_folder
+from support.tool import nacre
 
 LINES_NM = (486.1327, 587.5618, 656.2725)
 GLASSES = ("n_bk7", "sf11", "water", "diamond")

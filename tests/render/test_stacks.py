@@ -13,9 +13,9 @@ import numpy as np
 import pytest
 
 from support.colours import delta_e
-from support.paths import nacre
 from support.representatives import FORMS
 from support.templates import write_toml
+from support.tool import nacre
 from support.truth import exact_colours, pixel_cosines
 
 STACKS = tomllib.loads(Path(__file__).with_name("stacks.toml").read_text("utf-8"))

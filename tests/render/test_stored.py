@@ -14,7 +14,8 @@ import pytest
 from blender.harness import VERSIONS
 from support import noise
 from support.images import read_channels, read_image, write_channels
-from support.paths import materials_folder, nacre
+from support.paths import materials_folder
+from support.tool import nacre
 
 HERE = Path(__file__).resolve().parent
 CASES = sorted(file.parent.name for file in HERE.glob("cases/*/case.toml"))

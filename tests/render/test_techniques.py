@@ -14,9 +14,9 @@ import pytest
 
 from nacre import film_reflectance, spectrum_to_colour
 from support.colours import delta_e
-from support.paths import nacre
 from support.representatives import FORMS
 from support.templates import write_toml
+from support.tool import nacre
 from support.truth import WAVELENGTHS, exact_colours, index, pixel_cosines
 
 SIZE = 40

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import json
 import os
-import subprocess
 from functools import cache
 from pathlib import Path
 
@@ -35,18 +34,3 @@ def materials_folder() -> Path:
 @cache
 def manifest(material: str) -> dict:
     return json.loads((materials_folder() / material / f"{material}.json").read_text("utf-8"))
-
-
-def nacre(*arguments, stdin: str | None = None, env: dict | None = None) -> str:
-    """Standard output of the tool, which must succeed."""
-    done = subprocess.run(
-        [tool(), *map(str, arguments)],
-        input=stdin,
-        capture_output=True,
-        text=True,
-        env={**os.environ, **(env or {})},
-        timeout=900,
-        check=False,
-    )
-    assert done.returncode == 0, done.stdout + done.stderr
-    return done.stdout

@@ -10,6 +10,8 @@ import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
+from support.paths import tool
+
 
 @dataclass(frozen=True)
 class Tool:
@@ -43,3 +45,8 @@ class Tool:
         result = self(*arguments, **options)
         assert result.returncode == code, (result.returncode, result.stdout, result.stderr)
         return result.stderr
+
+
+def nacre(*arguments, **options) -> str:
+    """Standard output of the tool under test, which must succeed."""
+    return Tool(tool()).ok(*arguments, **{"timeout": 900, **options})

@@ -16,7 +16,7 @@ import numpy as np
 
 import nacre
 from support.paths import TEMPLATES
-from support.paths import nacre as run_nacre
+from support.tool import nacre as run_nacre
 
 WAVELENGTHS = list(range(360, 831))
 
