@@ -36,7 +36,7 @@ struct LocusPoint {
     Uv uv;
 };
 
-constexpr double kLowest = 1000.0, kHighest = 1.0e5;
+constexpr double kLowestKelvin = 1000.0, kHighestKelvin = 1.0e5;
 
 /// From below the lowest to above the highest temperature in steps of 2 %.
 const std::vector<LocusPoint>& locus_table()
@@ -44,7 +44,8 @@ const std::vector<LocusPoint>& locus_table()
     static const std::vector<LocusPoint> table = [] {
         std::vector<LocusPoint> points;
         constexpr double kStep = 1.02;
-        for (double kelvin = kLowest / kStep; kelvin < kHighest * kStep * kStep; kelvin *= kStep)
+        for (double kelvin = kLowestKelvin / kStep; kelvin < kHighestKelvin * kStep * kStep;
+             kelvin *= kStep)
             points.push_back({kelvin, locus(kelvin)});
         return points;
     }();
@@ -89,7 +90,7 @@ std::optional<ColourTemperature> colour_temperature(const Vec3& xyz)
     const double kelvin =
         nearest_temperature(uv, std::prev(nearest)->kelvin, std::next(nearest)->kelvin);
     constexpr double kRounding = 1e-7;  // of the minimum
-    if (kelvin < kLowest * (1.0 - kRounding) || kelvin > kHighest * (1.0 + kRounding))
+    if (kelvin < kLowestKelvin * (1.0 - kRounding) || kelvin > kHighestKelvin * (1.0 + kRounding))
         return std::nullopt;
     const Uv on_locus = locus(kelvin);
     const double duv = std::copysign(distance(uv, on_locus), uv.v - on_locus.v);
