@@ -3,11 +3,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Whether the tests find faults: makes those of mutants.toml, one at a time, in a checkout of its own.
 
-usage: run.py [--at COMMIT] [--everything] [--check] [NAME…]
+usage: run.py [--at COMMIT] [--likely | --everything] [--check] [NAME…]
 
-Runs the tests that are named with each fault, up to the first that fails; where none does, all tests.
-It takes an hour or two and so is no part of CI, which asks --check: whether each fault can still be
-made. The checkouts, in build/mutants/, are kept for the next time.
+Runs the tests that are named with each fault, up to the first that fails; where none does, all tests,
+unless only the --likely ones are asked for. It takes an hour and so is no part of CI, which asks
+--check: whether each fault can still be made. The checkouts, in build/mutants/, are kept for the next
+time.
 """
 
 from __future__ import annotations
@@ -112,20 +113,21 @@ def run_tests(folder: Path, arguments: list[str], log: Path) -> Outcome:
     return Outcome("found", tuple(dict.fromkeys(failed)) or ("no test by name; see the log",))
 
 
-def try_mutant(mutant: Mutant, folder: Path, everything: bool) -> Outcome:
+def try_mutant(mutant: Mutant, folder: Path, likely: bool, everything: bool) -> Outcome:
+    """`likely`: try its tests first; `everything`: all tests then."""
     log = folder / "build" / "mutants" / f"{mutant.name}.log"
     log.parent.mkdir(parents=True, exist_ok=True)
     log.unlink(missing_ok=True)
     mutant.apply(folder)
     try:
-        for text in () if everything else mutant.tests:
+        for text in mutant.tests if likely else ():
             part, *more = shlex.split(text)
             if not (folder / "tests" / "cpp" / part).is_dir():
                 more.append("-x")  # of pytest: the first that fails is enough
             outcome = run_tests(folder, [part, *more], log)
             if outcome.status != "lived":
                 return outcome
-        return run_tests(folder, [], log)
+        return run_tests(folder, [], log) if everything else Outcome("lived")
     finally:
         _git("-C", str(folder), "checkout", "--quiet", "--", ".")
 
@@ -134,7 +136,9 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.split("\n", 1)[0])
     parser.add_argument("names", nargs="*", metavar="NAME", help="of mutants; all where none is")
     parser.add_argument("--at", metavar="COMMIT", default="HEAD", help="whose code and tests")
-    parser.add_argument("--everything", action="store_true", help="all tests at once")
+    which = parser.add_mutually_exclusive_group()
+    which.add_argument("--likely", action="store_true", help="only the tests named with a fault")
+    which.add_argument("--everything", action="store_true", help="all tests at once")
     parser.add_argument("--check", action="store_true", help="only whether each can be made")
     options = parser.parse_args()
     chosen = [m for m in mutants() if not options.names or m.name in options.names]
@@ -153,7 +157,7 @@ def main() -> int:
     lived = 0
     for mutant in chosen:
         start = time.monotonic()
-        outcome = try_mutant(mutant, folder, options.everything)
+        outcome = try_mutant(mutant, folder, not options.everything, not options.likely)
         lived += outcome.status != "found"
         print(f"{mutant.name}: {outcome.text} ({time.monotonic() - start:.0f} s)", flush=True)
     print(f"{len(chosen)} faults, {len(chosen) - lived} found")
