@@ -8,7 +8,7 @@ import bpy
 
 from . import properties
 from .nodes import assets as asset_library
-from .nodes import fallback, live, schema, views
+from .nodes import fallback, follow, live, schema, views
 from .operators import assets, assign, fix, passes, picture, probe, stack, thickness
 from .ui import panels, preferences, stack_panel, swatch, viewer_panel
 
@@ -39,6 +39,7 @@ def register() -> None:
     live.register()
     views.register()
     fallback.register()
+    follow.register()
     panels.add_to_menus()
     if asset_library.is_built(asset_library.default_folder()):
         asset_library.show(asset_library.default_folder())
@@ -50,6 +51,7 @@ def unregister() -> None:
         bpy.utils.unregister_cli_command(_commands.pop())
     panels.remove_from_menus()
     asset_library.hide(asset_library.default_folder())
+    follow.unregister()
     fallback.unregister()
     views.unregister()
     live.unregister()

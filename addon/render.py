@@ -26,7 +26,7 @@ from .core.oso import OsoError
 from .core.probe import Probe, ProbeError
 from .core.stack import StackError, edit, is_path, read_stack, write_template
 from .core.values import AssignmentError, parse_assignments
-from .nodes import passes, thickness
+from .nodes import follow, passes, thickness
 from .nodes import scene as scene_setup
 from .nodes.material import create_material, input_socket, set_values
 from .nodes.probe import in_picture
@@ -286,6 +286,7 @@ def _blend_job(options: argparse.Namespace) -> Job:
         bpy.ops.wm.open_mainfile(filepath=str(options.blend.absolute()), load_ui=False)
     except RuntimeError as error:
         raise UsageError(f"--blend: {options.blend}: cannot be opened: {error}") from error
+    follow.put_right()
     job = Job(bpy.context.scene)
     job.scene.render.engine = "CYCLES"
     library = Library.default()

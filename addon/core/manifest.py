@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from .graph import Graph, parse_graph
+from .space import REC709, Matrix, SpaceError, parse
 
 SCHEMA = 1
 KINDS = ("film", "grating", "glass")
@@ -75,6 +76,7 @@ class CompiledMaterial:
     osl: str
     bytecode: str | None
     digest: str  # of manifest and shader: what makes two node groups the same
+    to_xyz_d65: Matrix = REC709  # of the space that its colours are in
     directory: Path | None = None
     texels: Mapping[str, Any] = field(default_factory=dict)  # float32 (H, W, 3), row 0 on top
 
@@ -178,6 +180,7 @@ def _material(
     sockets = _parse_sockets(data["sockets"], f"{where}: sockets", problems)
     tables = _parse_tables(data["tables"], f"{where}: tables", problems)
     graphs = _parse_graphs(data["graphs"], f"{where}: graphs", sockets, tables, problems)
+    to_xyz_d65 = _parse_space(data, where, problems)
     if problems:
         raise ManifestError("\n".join(problems))
     canonical = json.dumps(data, sort_keys=True) + osl
@@ -200,9 +203,24 @@ def _material(
         osl=osl,
         bytecode=bytecode,
         digest=hashlib.sha256(canonical.encode()).hexdigest(),
+        to_xyz_d65=to_xyz_d65,
         directory=directory,
         texels=texels,
     )
+
+
+def _parse_space(data: dict[str, Any], where: str, problems: list[str]) -> Matrix:
+    """Older tools name the space alone."""
+    if "to_xyz_d65" not in data:
+        name = data.get("space", "lin_rec709_scene")
+        if name != "lin_rec709_scene":
+            problems.append(f"{where}: to_xyz_d65: missing; must be the matrix from {name} to XYZ")
+        return REC709
+    try:
+        return parse(data["to_xyz_d65"])
+    except SpaceError as error:
+        problems.append(f"{where}: to_xyz_d65: {error} (got {data['to_xyz_d65']!r})")
+        return REC709
 
 
 def _parse_sockets(

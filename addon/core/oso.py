@@ -8,6 +8,8 @@ import hashlib
 import re
 from dataclasses import dataclass
 
+from .space import Matrix, converted
+
 _PARAMETER = re.compile(r"^(o?param)\t(closure color|\S+)\t(\S+)\t([^%\n]*)(.*)$", re.MULTILINE)
 _LABEL = re.compile(r'%meta\{string,label,"([^"]*)"\}')
 _HEADER_COMMENT = re.compile(r"^# (?:Compiled by|options:).*\n", re.MULTILINE)
@@ -50,6 +52,27 @@ def _default(kind: str, text: str) -> tuple[float, ...] | str | None:
     if not text:
         return None
     return tuple(float(word) for word in text.split())
+
+
+def convert_colours(text: str, matrix: Matrix | None) -> str:
+    """The same program with the defaults of its colours, arrays of them too, in another space."""
+    if matrix is None:
+        return text
+
+    def convert(match: re.Match[str]) -> str:
+        direction, kind, name, default, hints = match.groups()
+        numbers = default.split()
+        if not re.fullmatch(r"color(\[\d+\])?", kind) or direction != "param" or not numbers:
+            return match.group()
+        colours = [
+            converted(matrix, [float(number) for number in numbers[i : i + 3]])
+            for i in range(0, len(numbers), 3)
+        ]
+        ending = default[len(default.rstrip()) :]
+        written = " ".join(f"{channel:.9g}" for colour in colours for channel in colour)
+        return f"{direction}\t{kind}\t{name}\t{written}{ending}{hints}"
+
+    return _PARAMETER.sub(convert, text)
 
 
 def strip_provenance(text: str) -> str:

@@ -9,6 +9,8 @@ from pathlib import Path
 import bpy
 
 from ..core.manifest import CompiledMaterial, ManifestError, Table
+from ..core.space import Matrix
+from . import space
 
 DIGEST, TABLE, FALLBACK, SIZE = "nacre_digest", "nacre_table", "nacre_fallback", "nacre_size"
 
@@ -17,12 +19,16 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     """The table's image; one that is in the file already is used again."""
     for image in bpy.data.images:
         of_this_table = image.library is None and image.get(DIGEST) == _key(material, table)
-        if of_this_table and not is_missing(image):
+        if of_this_table and not is_missing(image) and space.is_right(image):
             return image
     image = (
         _from_texels(material, table) if material.directory is None else _from_file(material, table)
     )
+    matrix = space.to_file(material.to_xyz_d65)
+    if matrix is not None:
+        convert_pixels(image, matrix)
     image.pack()
+    space.state(image)
     # The path of the machine that made the material says nothing to the one that opens the file.
     image.filepath_raw = f"//{table.file}"
     if tuple(image.size) != (table.width, table.height):
@@ -71,7 +77,7 @@ def _from_file(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     except RuntimeError as error:
         raise ManifestError(f"{table.file}: {error}") from error
     image.name = f"{material.id}_{table.name}"
-    image.colorspace_settings.name = "Non-Color"
+    image.colorspace_settings.is_data = True  # whatever a configuration calls it
     image.alpha_mode = "NONE"
     return image
 
@@ -93,10 +99,34 @@ def _from_texels(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     return image
 
 
-def table_pixels(texels):
-    """What `Image.pixels` takes for float32 (H, W, 3) texels with row 0 on top."""
+def table_pixels(texels, matrix: Matrix | None = None):
+    """What `Image.pixels` takes for float32 (H, W, 3) texels with row 0 on top, in another space where a matrix
+    is given."""
     import numpy as np
 
     rgba = np.ones((*texels.shape[:2], 4), dtype=np.float32)
     rgba[..., :3] = texels[::-1]  # Blender's first row is the bottom one
-    return rgba.ravel()
+    return _converted(rgba.reshape(-1, 4), matrix).ravel()
+
+
+def convert_pixels(image: bpy.types.Image, matrix: Matrix) -> None:
+    """Into another space; `pack` keeps it."""
+    try:
+        import numpy as np
+    except ImportError as error:
+        raise ManifestError(
+            f"{image.name}: tables are in Rec.709, and other working spaces need NumPy: {error}"
+        ) from error
+
+    rgba = np.empty(len(image.pixels), dtype=np.float32)
+    image.pixels.foreach_get(rgba)
+    image.pixels.foreach_set(_converted(rgba.reshape(-1, 4), matrix).ravel())
+    image.update()
+
+
+def _converted(rgba, matrix: Matrix | None):
+    import numpy as np
+
+    if matrix is not None:
+        rgba[:, :3] = rgba[:, :3].astype(np.float64) @ np.array(matrix).T
+    return rgba

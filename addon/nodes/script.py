@@ -15,9 +15,12 @@ from ..core.oso import (
     OsoError,
     Parameter,
     bytecode_hash,
+    convert_colours,
     parse_parameters,
     strip_provenance,
 )
+from ..core.space import Matrix
+from . import space
 
 _SOCKETS = {
     "closure color": "NodeSocketShader",
@@ -38,11 +41,26 @@ def has_osl() -> bool:
 def fill_script_node(node: bpy.types.ShaderNodeScript, material: CompiledMaterial) -> None:
     """Embeds the shader as bytecode and makes the sockets from its parameters."""
     text = strip_provenance(material.bytecode or _compile(material.id, material.osl))
+    text = convert_colours(text, space.to_file(material.to_xyz_d65))
     node.mode = "INTERNAL"
-    node.bytecode = text
-    node.bytecode_hash = bytecode_hash(text)
+    _set_bytecode(node, text)
     for parameter in parse_parameters(text):
         _add_socket(node, parameter)
+
+
+def convert_script(node: bpy.types.ShaderNodeScript, matrix: Matrix) -> None:
+    """The colours that are the shader's own, in another space."""
+    text = convert_colours(node.bytecode, matrix)
+    _set_bytecode(node, text)
+    for parameter in parse_parameters(text):
+        socket = node.inputs.get(parameter.label)
+        if parameter.type == "color" and socket is not None and parameter.default:
+            socket.default_value = (*parameter.default, 1.0)
+
+
+def _set_bytecode(node: bpy.types.ShaderNodeScript, text: str) -> None:
+    node.bytecode = text
+    node.bytecode_hash = bytecode_hash(text)
 
 
 def _add_socket(node: bpy.types.ShaderNodeScript, parameter: Parameter) -> None:

@@ -20,7 +20,7 @@ from ..core.light import light_problem
 from ..core.manifest import CompiledMaterial, ManifestError, from_memory
 from ..core.stack import Stack, StackError, read_stack, write_template
 from . import group as groups
-from . import schema
+from . import schema, space
 from .image import TABLE, table_pixels
 from .material import describe, group_node, rebuild_material
 
@@ -156,9 +156,11 @@ def preview(material: bpy.types.Material) -> bool:
     images = _images(_own_group(material))
     if images is None:
         return False
+    matrix = space.to_file()
     for name, texels in _quick_tables(wanted, _sizes(images), material.name).items():
-        images[name].pixels.foreach_set(table_pixels(texels))
+        images[name].pixels.foreach_set(table_pixels(texels, matrix))
         images[name].update()
+        space.state(images[name])
     return True
 
 

@@ -10,6 +10,8 @@ from pathlib import Path
 import bpy
 from mathutils import Vector
 
+from ..nodes.space import here
+
 Point = tuple[float, float, float]
 
 
@@ -84,7 +86,7 @@ def area_lamp(
     data = bpy.data.lights.new("Lamp", "AREA")
     data.shape = "RECTANGLE"
     data.size, data.size_y = size
-    data.energy, data.color = watts, colour
+    data.energy, data.color = watts, here(colour)
     obj = _aimed("Lamp", data, location, target)
     scene.collection.objects.link(obj)
     return obj

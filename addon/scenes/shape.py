@@ -9,6 +9,8 @@ from collections.abc import Sequence
 
 import bpy
 
+from ..nodes.space import here
+
 Point = tuple[float, float, float]
 
 
@@ -107,7 +109,7 @@ def plain(
     material = bpy.data.materials.new(name)
     material.use_nodes = True
     shader = principled(material)
-    shader.inputs["Base Color"].default_value = (*colour, 1.0)
+    shader.inputs["Base Color"].default_value = (*here(colour), 1.0)
     shader.inputs["Roughness"].default_value = roughness
     shader.inputs["Metallic"].default_value = metallic
     return material
@@ -122,6 +124,6 @@ def glow(name: str, colour: Point, strength: float) -> bpy.types.Material:
     material.use_nodes = True
     shader = principled(material)
     shader.inputs["Base Color"].default_value = (0.0, 0.0, 0.0, 1.0)
-    shader.inputs["Emission Color"].default_value = (*colour, 1.0)
+    shader.inputs["Emission Color"].default_value = (*here(colour), 1.0)
     shader.inputs["Emission Strength"].default_value = strength
     return material

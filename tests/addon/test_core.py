@@ -7,12 +7,20 @@ from __future__ import annotations
 import json
 import shutil
 
+import numpy as np
 import pytest
 from nacre_extension.core.form import FormError, Renderer, choose_form
 from nacre_extension.core.library import Library
 from nacre_extension.core.manifest import ManifestError, load_folder
-from nacre_extension.core.oso import OsoError, bytecode_hash, parse_parameters, strip_provenance
+from nacre_extension.core.oso import (
+    OsoError,
+    bytecode_hash,
+    convert_colours,
+    parse_parameters,
+    strip_provenance,
+)
 from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
+from nacre_extension.core.space import REC709, SpaceError, conversion, converted, flat, parse
 from nacre_extension.core.values import AssignmentError, parse_assignments
 from nacre_extension.core.whole_file import is_whole
 
@@ -81,6 +89,8 @@ def test_manifest_is_read(film, grating):
         (lambda m: m["sockets"][1].update(name="thickness_nm"), "must be a unique identifier"),
         (lambda m: m["tables"][0].update(file="../R.exr"), "tables[0].file: '../R.exr' is missing"),
         (lambda m: m["tables"][1].update(width=0), "must be whole numbers above 0"),
+        (lambda m: m.update(to_xyz_d65=[1, 2]), "to_xyz_d65: must be a matrix of 3 x 3 numbers"),
+        (lambda m: m.update(space="lin_ap1_scene"), "to_xyz_d65: missing"),
         (lambda m: m.update(graphs={"osl": None}), "must have a graph for one of osl, nodes"),
         (lambda m: m["graphs"]["osl"]["links"].append(["x.0", "u.0"]), "no node 'x'"),
         (lambda m: m["graphs"]["osl"]["links"].append(["input.k", "u.0"]), "must name a socket"),
@@ -139,6 +149,43 @@ def test_parameters_of_a_compiled_shader():
     assert parameters["surface_normal"].default is None  # N, known only while shading
     assert parameters["BSDF"].is_output
     assert parameters["BSDF"].type == "closure color"
+
+
+# ITU-R BT.2020-2 primaries and SMPTE ST 2065-4 with its white adapted to D65, by colour-science.
+REC2020 = ((0.63695805, 0.14461690, 0.16888098), (0.26270021, 0.67799807, 0.05930172),
+           (0.0, 0.02807269, 1.06098506))  # fmt: skip
+
+
+def test_colours_of_one_space_in_another():
+    matrix = conversion(REC709, REC2020)
+    # ITU-R BT.2087-0, annex 2.
+    expected = [[0.6274, 0.3293, 0.0433], [0.0691, 0.9195, 0.0114], [0.0164, 0.0880, 0.8956]]
+    assert np.abs(np.array(matrix) - expected).max() < 1e-4
+    assert converted(matrix, (1.0, 1.0, 1.0)) == pytest.approx((1.0, 1.0, 1.0), abs=1e-6)
+    assert conversion(parse(flat(REC709)), REC709) is None
+    # Blender's own matrices have five digits.
+    assert conversion(tuple(tuple(round(x, 5) for x in row) for row in REC709), REC709) is None
+    assert converted(None, (0.1, 0.2, 0.3)) == (0.1, 0.2, 0.3)
+
+
+@pytest.mark.parametrize(
+    "values", [None, [1.0] * 8, [1.0] * 9, ["x"] * 9, [float("nan")] * 9, [[1, 0, 0]] * 3]
+)
+def test_what_is_no_space_is_refused(values):
+    with pytest.raises(SpaceError):
+        parse(values)
+
+
+def test_colours_of_a_compiled_shader_are_converted():
+    arrays = OSO.replace("oparam", "param\tcolor[2]\tweights\t1 0 0 0 1 0\t\t%read{1,1}\noparam", 1)
+    swap = ((0.0, 1.0, 0.0), (1.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+    made = convert_colours(arrays, swap)
+    parameters = {p.name: p for p in parse_parameters(made)}
+    assert parameters["reflectance"].default == (0.5, 1.0, 0.0)
+    assert parameters["weights"].default == (0.0, 1.0, 0.0, 1.0, 0.0, 0.0)
+    # Nothing else is touched, and twice is back.
+    assert convert_colours(made, swap) == arrays
+    assert convert_colours(arrays, None) == arrays
 
 
 def test_text_that_is_no_shader_is_refused():

@@ -20,11 +20,16 @@ import traceback
 from collections.abc import Iterator
 from pathlib import Path
 
-import bpy
+# Before Blender comes, which may print while it is imported: nothing else answers or reads a request.
+REQUESTS, ANSWERS = os.dup(0), os.dup(1)
+os.dup2(os.open(os.devnull, os.O_RDWR), 0)
+os.dup2(2, 1)
+
+import bpy  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from jobs import extension
+from jobs import extension  # noqa: E402
 
 
 def flush() -> None:
@@ -87,11 +92,7 @@ def answer(request: dict) -> dict:
 
 
 def main() -> None:
-    requests, answers = os.fdopen(os.dup(0)), os.fdopen(os.dup(1), "w")
-    # Nothing else may read a request or write an answer.
-    nothing = os.open(os.devnull, os.O_RDWR)
-    os.dup2(nothing, 0)
-    os.dup2(2, 1)
+    requests, answers = os.fdopen(REQUESTS), os.fdopen(ANSWERS, "w")
     for line in requests:
         print(json.dumps(answer(json.loads(line))), file=answers, flush=True)
     flush()

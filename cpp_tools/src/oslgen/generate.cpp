@@ -93,6 +93,7 @@ Json manifest(const Context& context)
                 {"template_sha256", source.sha256},
                 {"tool_version", version()},
                 {"space", context.space},
+                {"to_xyz_d65", context.to_xyz_d65},
                 {"illuminant", context.illuminant},
                 {"observer", context.observer},
                 {"wavelength_per_path", context.wavelengths.has_value()},

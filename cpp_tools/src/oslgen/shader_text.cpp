@@ -53,6 +53,12 @@ std::string parameter(const Socket& socket)
 
 constexpr std::string_view kHidden = ", string widget = \"null\"";
 
+/// Whether the powers of the film's reflectance fade to those of the substrate.
+bool has_schlick_bare(const Context& context)
+{
+    return context.schlick && find_table(context, "R_bare");
+}
+
 /// Parameters that carry a film's colours: looked up outside, or from a table that is named.
 std::string film_parameters(const Context& context)
 {
@@ -67,6 +73,13 @@ std::string film_parameters(const Context& context)
         result += metadata(table.name + " Table",
                            "File of " + table.file + "; leave unlinked, renderers need a constant",
                            ", string widget = \"filename\"");
+    }
+    if (has_schlick_bare(context)) {
+        const auto& bare = context.schlick->bare;
+        result +=
+            fmt::format(",\n    color schlick_bare[{}] = {}", bare.size(), array_literal(bare));
+        result +=
+            metadata("Bare Coefficients", "Of the powers of the cosine, without the film", kHidden);
     }
     result += ",\n    int table_origin_top = 1";
     result += metadata("Table Origin Top", "0 where t = 0 names the bottom row of a texture",
@@ -87,6 +100,9 @@ std::string wavelength_parameters(const Context& context)
         result += fmt::format(",\n    float index_knots[{}] = {}", context.glass->knots.size(),
                               array_literal(context.glass->knots));
         result += metadata("Index", "Index over wavelength at equally spaced knots", kHidden);
+        result += fmt::format(",\n    color index_mean = {}", literal(context.glass->mean_rgb));
+        result +=
+            metadata("Mean Index", "Mean of the index with the weight of each channel", kHidden);
     }
     return result;
 }
@@ -178,9 +194,8 @@ std::string power_lobes(const Context& context)
     for (std::size_t k = 0; k < terms.exponents.size(); ++k) {
         const std::string at = literal(static_cast<double>(k) / last);
         std::string colour = look_up(table, fmt::format("R_schlick_{}", k), at);
-        if (find_table(context, "R_bare"))
-            colour = fmt::format("mix(color({}), {}, clamp(coverage, 0.0, 1.0))",
-                                 literal(terms.bare[k]), colour);
+        if (has_schlick_bare(context))
+            colour = fmt::format("mix(schlick_bare[{}], {}, clamp(coverage, 0.0, 1.0))", k, colour);
         if (k == 0) colour += " + R_further";
         result += fmt::format("    BSDF = nacre_power_lobe(surface_normal, {}, {}, facets){};\n",
                               colour, literal(terms.exponents[k]), k == 0 ? "" : " + BSDF");
@@ -283,10 +298,9 @@ std::string glass_body(const Context& context)
         "                                                  nacre_path_random());\n"
         "    float index = nacre_index(index_knots, {}, {}, path.nm);\n"
         "    BSDF = nacre_glass_lobe(surface_normal, roughness, mix({}, index, dispersion),\n"
-        "                            mix(color({}), {}, dispersion),\n"
+        "                            mix(color({}), index_mean, dispersion),\n"
         "                            dispersion > 0.0 ? path.weight : color(1.0));\n",
-        literal(glass.first_nm), literal(glass.step_nm), literal(glass.n_d), literal(glass.n_d),
-        literal(glass.mean_rgb));
+        literal(glass.first_nm), literal(glass.step_nm), literal(glass.n_d), literal(glass.n_d));
 }
 
 std::string includes(const Context& context)

@@ -248,6 +248,7 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
     context.source = &source;
     const spectral::ColourWeights weights = colour_weights(options);
     context.space = weights.space;
+    context.to_xyz_d65 = weights.to_xyz_d65;
     context.illuminant = weights.illuminant;
     context.observer = spectral::observer_name(weights.observer);
 

@@ -3,7 +3,8 @@
 """A flat disc under a point lamp, seen by a pinhole, inside Blender.
 
 A job: material, eye, lamp, target (points), fov_deg, height (pixels), samples, file. The picture is
-the middle one of five columns, which looks along the plane x = 0.
+the middle one of five columns, which looks along the plane x = 0. `space`: of the file, if not
+what it has; returned is the matrix to XYZ.
 """
 
 from __future__ import annotations
@@ -45,10 +46,11 @@ def add_camera(scene: bpy.types.Scene, job: dict) -> None:
     scene.camera = camera
 
 
-def render(**job) -> None:
+def render(**job) -> list[list[float]]:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
+    extension.set_space(job.get("space", ""))
     compiled = extension.module("core.library").Library.default().load(job["material"])
     material = extension.module("nodes.material").create_material(compiled, "osl")
     extension.module("nodes.material").set_values(material, {"roughness": 0.05})
@@ -65,3 +67,4 @@ def render(**job) -> None:
     scene.render.border_min_x = (WIDTH // 2) / WIDTH
     scene.render.border_max_x = (WIDTH // 2 + 1) / WIDTH
     render_picture(scene, WIDTH, job["height"], job["samples"], job["file"])
+    return extension.space_to_xyz()

@@ -37,6 +37,17 @@ def module(name: str) -> ModuleType:
     return importlib.import_module(f"{PACKAGE}.{name}")
 
 
+def set_space(name: str) -> None:
+    """One of the working spaces of Blender 5 for the file that is open; none: what it has."""
+    if name:
+        bpy.ops.wm.set_working_color_space(working_space=name, convert_colors=True)
+
+
+def space_to_xyz() -> list[list[float]]:
+    """Of the file's scene-linear space."""
+    return [list(row) for row in module("nodes.space").of_file()]
+
+
 def forget() -> None:
     """The next load() imports everything anew, the package that the extension computes with too."""
     for name in [name for name in sys.modules if name.split(".")[0] in (PACKAGE, "nacre")]:

@@ -3,7 +3,8 @@
 """Parallel rays through a wedge of glass, inside Blender.
 
 A job: material, apex_deg, incidence_deg, line_nm, samples, file and `world`, an OSL shader that says
-what each direction of the world is worth; its parameter `line_nm` is set.
+what each direction of the world is worth; its parameter `line_nm` is set. `space`: of the file, if not
+what it has; returned is the matrix to XYZ.
 """
 
 from __future__ import annotations
@@ -67,10 +68,11 @@ def light(scene: bpy.types.Scene, source: str, line_nm: float) -> None:
     world.node_tree.links.new(node.outputs[0], background.inputs["Color"])
 
 
-def render(**job) -> None:
+def render(**job) -> list[list[float]]:
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
+    extension.set_space(job.get("space", ""))
     compiled = extension.module("core.library").Library.default().load(job["material"])
     material = extension.module("nodes.material").create_material(compiled, "osl")
     extension.module("nodes.scene").use_osl(scene)
@@ -85,3 +87,4 @@ def render(**job) -> None:
     add_camera(scene)
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
     render_picture(scene, 4, 4, job["samples"], job["file"])
+    return extension.space_to_xyz()

@@ -78,6 +78,8 @@ struct Context {
     std::optional<SchlickTerms> schlick;  ///< of films whose lobe is not that of clear glass
     std::optional<double> solid_index;    ///< of a film on clear glass: relative, at the d line
     std::string space, illuminant, observer;
+    /// Of the space: rows of the matrix from its colours to XYZ (oslgen does not see `spectral`).
+    std::array<std::array<double, 3>, 3> to_xyz_d65{};
 };
 
 /// The material's program: everything but the tables' texels.
