@@ -8,10 +8,11 @@ import hashlib
 import re
 from dataclasses import dataclass
 
-from .space import Matrix, converted
+from .space import Matrix, converted, dual
 
 _PARAMETER = re.compile(r"^(o?param)\t(closure color|\S+)\t(\S+)\t([^%\n]*)(.*)$", re.MULTILINE)
 _LABEL = re.compile(r'%meta\{string,label,"([^"]*)"\}')
+DUALS = ("tint_basis",)
 _HEADER_COMMENT = re.compile(r"^# (?:Compiled by|options:).*\n", re.MULTILINE)
 
 
@@ -55,7 +56,10 @@ def _default(kind: str, text: str) -> tuple[float, ...] | str | None:
 
 
 def convert_colours(text: str, matrix: Matrix | None) -> str:
-    """The same program with the defaults of its colours, arrays of them too, in another space."""
+    """The same program with the defaults of its colours, arrays of them too, in another space.
+
+    What DUALS names is multiplied by colours, and each product is the same in every space.
+    """
     if matrix is None:
         return text
 
@@ -64,8 +68,9 @@ def convert_colours(text: str, matrix: Matrix | None) -> str:
         numbers = default.split()
         if not re.fullmatch(r"color(\[\d+\])?", kind) or direction != "param" or not numbers:
             return match.group()
+        how = dual(matrix) if name in DUALS else matrix
         colours = [
-            converted(matrix, [float(number) for number in numbers[i : i + 3]])
+            converted(how, [float(number) for number in numbers[i : i + 3]])
             for i in range(0, len(numbers), 3)
         ]
         ending = default[len(default.rstrip()) :]

@@ -40,6 +40,12 @@ def converted(matrix: Matrix | None, colour: Sequence[float]) -> Row:
     return tuple(sum(row[j] * colour[j] for j in range(3)) for row in matrix)
 
 
+def dual(matrix: Matrix) -> Matrix:
+    """For triples whose product with a colour is the same number in every space."""
+    inverse = _inverse(matrix)
+    return tuple(tuple(inverse[j][i] for j in range(3)) for i in range(3))
+
+
 def flat(matrix: Matrix) -> list[float]:
     """The nine numbers that a file stores, row by row."""
     return [value for row in matrix for value in row]

@@ -188,6 +188,19 @@ def test_colours_of_a_compiled_shader_are_converted():
     assert convert_colours(arrays, None) == arrays
 
 
+def test_what_is_multiplied_by_colours_gives_the_same_in_every_space():
+    line = "param\tcolor[2]\ttint_basis\t0.9 0.1 0 0 0.25 0.75\t\t%read{1,1}\noparam"
+    matrix = conversion(REC709, REC2020)
+    made = convert_colours(OSO.replace("oparam", line, 1), matrix)
+    basis = {p.name: p for p in parse_parameters(made)}["tint_basis"].default
+    tint = (0.9, 0.5, 0.3)
+    for cell, expected in (
+        (basis[:3], 0.9 * 0.9 + 0.1 * 0.5),
+        (basis[3:], 0.25 * 0.5 + 0.75 * 0.3),
+    ):
+        assert np.dot(converted(matrix, tint), cell) == pytest.approx(expected)
+
+
 def test_text_that_is_no_shader_is_refused():
     with pytest.raises(OsoError, match="must start with"):
         parse_parameters("shader s")

@@ -240,6 +240,25 @@ def test_wavelength_of_a_path(blender):
     np.testing.assert_allclose(got, expected, rtol=1e-6)
 
 
+def test_colour_of_a_metal_is_the_mean_over_its_wavelengths(blender):
+    """Saturated ones too; and no wavelength gets more than nothing taken from it by white."""
+    body = """
+    color tints[5] = { color(1.0), color(1.0, 0.5, 0.25), color(0.0, 0.0, 1.0), color(0.0, 1.0, 0.0),
+                       color(1.0, 0.0, 0.0) };
+    color weight[NACRE_CELLS] = NACRE_WAVELENGTH_WEIGHT;
+    color basis[NACRE_CELLS] = NACRE_TINT_BASIS;
+    for (int j = 0; j < NACRE_CELLS; j++) {
+        float scalar = nacre_at_wavelength(tints[i % 5], basis[j]);
+        if (i < 5)
+            value += weight[j] * scalar / NACRE_CELLS;
+        else
+            value = max(value, color(fabs(scalar - 1.0)));
+    }"""
+    got = blender.values(["nacre_colour_tables.h", "nacre_wavelength.h"], body, 6)
+    expected = [[1, 1, 1], [1, 0.5, 0.25], [0, 0, 1], [0, 1, 0], [1, 0, 0], [0, 0, 0]]
+    np.testing.assert_allclose(got, expected, atol=1e-5)
+
+
 def test_mean_weight_of_all_cells_is_white(blender):
     body = """
     color weight[NACRE_CELLS] = NACRE_WAVELENGTH_WEIGHT;

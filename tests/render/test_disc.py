@@ -126,3 +126,35 @@ def test_streak_of_a_cd_peaks_where_the_grating_equation_says(blender, name):
     shifts = [peak(column[:, c]) - peak(expected[:, c]) for c in range(3)]
     print(f"{name}, Blender {blender.version}: shifts in pixels", np.round(shifts, 2))
     assert np.abs(shifts).max() <= 1.0
+
+
+@pytest.mark.parametrize(
+    ("metal", "tint"),
+    [
+        ("Al/Rakic", None),
+        ("Cu/Johnson", None),
+        ("Au/Johnson", None),
+        ("Al/Rakic", (1.0, 0.5, 0.25)),
+    ],
+    ids=["aluminium", "copper", "gold", "saturated tint"],
+)
+def test_disc_in_a_white_world_has_the_colour_of_its_metal(blender, tmp_path, metal, tint):
+    """The orders share out what the metal reflects, whatever its colour; short waves have a fourth
+    order, with 1 % of the light, which the material leaves out."""
+    text = (TEMPLATES / "cd.toml").read_text("utf-8")
+    (tmp_path / "disc.toml").write_text(
+        text.replace("Al/Rakic", metal).replace('id = "cd"', 'id = "disc"'), "utf-8"
+    )
+    nacre("compile", tmp_path / "disc.toml", "--quiet", "-o", tmp_path)
+    made = json.loads((tmp_path / "disc" / "disc.json").read_text("utf-8"))
+    own = next(socket["default"] for socket in made["sockets"] if socket["name"] == "tint")
+    values = {"roughness": 0.05, **({"tint": (*tint, 1.0)} if tint else {})}
+    picture = blender.pictures(
+        "furnace.render",
+        lambda: {"material": "disc", "form": "osl", "values": values, "lit": "all", "size": 16,
+                 "samples": 2048},
+        materials=tmp_path,
+    )()  # fmt: skip
+    mean = picture[4:12, 4:12].mean(axis=(0, 1))
+    print(f"{metal}, Blender {blender.version}:", np.round(mean, 4), np.round(tint or own, 4))
+    np.testing.assert_allclose(mean, tint or own, rtol=0.03)

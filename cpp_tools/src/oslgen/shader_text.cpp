@@ -96,6 +96,13 @@ std::string wavelength_parameters(const Context& context)
     result += fmt::format(",\n    color wavelength_weight[{}] = {}", table.weight.size(),
                           array_literal(table.weight));
     result += metadata("Wavelength Weight", "Colour that a path of each cell carries", kHidden);
+    if (context.grating) {
+        const auto& basis = context.grating->basis;
+        result +=
+            fmt::format(",\n    color tint_basis[{}] = {}", basis.size(), array_literal(basis));
+        result +=
+            metadata("Tint Basis", "What the metal leaves of each cell, by its colour", kHidden);
+    }
     if (context.glass) {
         result += fmt::format(",\n    float index_knots[{}] = {}", context.glass->knots.size(),
                               array_literal(context.glass->knots));
@@ -285,7 +292,7 @@ std::string grating_body(const Context& context)
         "    nacre_disc_tracks disc = {{ {}, max(pitch_nm, 100.0), {}, {}, {}, {},\n"
         "                               clamp(strength, 0.0, 1.0) }};\n"
         "    BSDF = nacre_disc_lobes(disc, surface_normal, roughness, tint, wavelength_edges,\n"
-        "                            wavelength_weight);\n",
+        "                            wavelength_weight, tint_basis);\n",
         static_cast<int>(grating.profile), literal(grating.depth_nm), literal(grating.duty),
         literal(context.grating->cover_index), grating.orders);
 }

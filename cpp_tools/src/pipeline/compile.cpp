@@ -14,6 +14,7 @@
 #include "nacre/pipeline/shader_tables.h"
 #include "nacre/spectral/wavelength_sampling.h"
 #include "technique.h"
+#include "tint.h"
 
 namespace nacre::pipeline {
 namespace {
@@ -173,7 +174,7 @@ oslgen::WavelengthTable wavelength_table(const spectral::ColourWeights& weights)
     return {std::move(sampling.edges_nm), std::move(sampling.weight)};
 }
 
-/// Colour of the metal under its cover at normal incidence.
+/// Colour of the metal under its cover at normal incidence, and what it does to each wavelength.
 oslgen::GratingColours grating_colours(const GratingSpec& grating, const std::string& file,
                                        const spectral::ColourWeights& weights)
 {
@@ -184,7 +185,15 @@ oslgen::GratingColours grating_colours(const GratingSpec& grating, const std::st
     request.weights = weights;
     media.throw_if_any();
     const double cover_index = media.constants(grating.cover)->at(kLineD).real();
-    return {lut::exact_film_colour(request, 1.0, 0.0).reflectance, cover_index};
+    spectral::Sampled reflectance{};
+    for (std::size_t i = 0; i < spectral::kWavelengths; ++i) {
+        const auto cover = request.stack.ambient[i], metal = request.stack.substrate[i];
+        reflectance[i] = std::norm((cover - metal) / (cover + metal));
+    }
+    return {.tint = weights.apply(reflectance),
+            .basis = tint_basis(spectral::sample_wavelengths(weights, kWavelengthCells), weights,
+                                reflectance),
+            .cover_index = cover_index};
 }
 
 /// Index of the substrate relative to the ambient, at the d line.

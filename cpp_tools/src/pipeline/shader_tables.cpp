@@ -8,6 +8,7 @@
 
 #include "nacre/oslgen/literals.h"
 #include "nacre/spectral/wavelength_sampling.h"
+#include "tint.h"
 
 namespace nacre::pipeline {
 namespace {
@@ -45,6 +46,9 @@ constexpr const char* kText = R"(// SPDX-FileCopyrightText: Nacre contributors
 #define NACRE_WAVELENGTH_EDGES {edge_list}
 #define NACRE_WAVELENGTH_WEIGHT {weight_list}
 
+// What a grey metal leaves of light of each cell, by its colour: see nacre_at_wavelength.
+#define NACRE_TINT_BASIS {basis_list}
+
 // Colour of all light from the first wavelength up to every {step}th nm; a perfect white is (1, 1, 1).
 #define NACRE_CUMULATIVE_SIZE {cumulative}
 #define NACRE_CUMULATIVE_WEIGHT {cumulative_list}
@@ -67,6 +71,9 @@ std::string colour_tables_header()
     const spectral::WavelengthSampling sampling =
         spectral::sample_wavelengths(weights, kWavelengthCells);
     const std::vector<spectral::Vec3> cumulative = cumulative_weights(weights);
+    spectral::Sampled grey{};
+    grey.fill(1.0);
+    const std::vector<spectral::Vec3> basis = tint_basis(sampling, weights, grey);
     using fmt::arg;
     return fmt::format(fmt::runtime(kText), arg("first", spectral::kFirstNm),
                        arg("last", spectral::kLastNm), arg("cells", kWavelengthCells),
@@ -74,6 +81,7 @@ std::string colour_tables_header()
                        arg("cumulative", cumulative.size()),
                        arg("edge_list", oslgen::array_literal(sampling.edges_nm, " \\")),
                        arg("weight_list", oslgen::array_literal(sampling.weight, " \\")),
+                       arg("basis_list", oslgen::array_literal(basis, " \\")),
                        arg("cumulative_list", oslgen::array_literal(cumulative, " \\")));
 }
 

@@ -38,8 +38,8 @@ nacre_grating nacre_disc_grating(nacre_disc_tracks disc, vector lateral, float w
 
 // The mirror image needs no wavelength of its own: its colour is the weighted mean over all of
 // them. The share of order zero is smooth, so four cells of the path's wavelength make one step.
-color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, float edges[],
-                        color weight[])
+color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, color tint,
+                        float edges[], color weight[], color basis[])
 {
     int cells = arraylength(weight);
     color sum = 0.0;
@@ -48,7 +48,8 @@ color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, f
         nacre_grating grating = nacre_disc_grating(disc, lateral, nm);
         float share = nacre_efficiency(grating, 0) /
                       nacre_propagating_share(grating, lateral, across, nm / disc.pitch_nm);
-        color step = weight[i] + weight[i + 1] + weight[i + 2] + weight[i + 3];
+        color step = 0.0;
+        for (int j = i; j < i + 4; j++) step += weight[j] * nacre_at_wavelength(tint, basis[j]);
         sum += step * (1.0 + disc.strength * (share - 1.0));
     }
     return sum / cells;
@@ -58,7 +59,7 @@ color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, f
 // wants it; `I` points to the viewer in Cycles. Sums run to the right, as `lobe + sum`: a long sum
 // the other way loses lobes.
 closure color nacre_disc_lobes(nacre_disc_tracks disc, normal n, float roughness, color tint,
-                               float edges[], color weight[])
+                               float edges[], color weight[], color basis[])
 {
     vector lateral = n * dot(n, I) - I;
     vector across = nacre_across_tracks(n);
@@ -68,14 +69,15 @@ closure color nacre_disc_lobes(nacre_disc_tracks disc, normal n, float roughness
     nacre_grating grating = nacre_disc_grating(disc, lateral, path.nm);
     float scale = disc.strength / nacre_propagating_share(grating, lateral, across, ratio);
 
-    color mirror = tint * nacre_disc_mirror(disc, lateral, across, edges, weight);
+    color light = path.weight * nacre_at_wavelength(tint, basis[path.cell]);
+    color mirror = nacre_disc_mirror(disc, lateral, across, tint, edges, weight, basis);
     closure color sum = nacre_reflection(n, mirror, roughness);
     for (int m = -disc.orders; m <= disc.orders; m++) {
         vector out = nacre_order_direction(lateral, across, ratio, m);
         float lateral_squared = dot(out, out);
         if (m == 0 || lateral_squared >= 1.0) continue;
         normal tilted = normalize(out + n * sqrt(1.0 - lateral_squared) + I);
-        color order_tint = path.weight * tint * (scale * nacre_efficiency(grating, m));
+        color order_tint = light * (scale * nacre_efficiency(grating, m));
         sum = nacre_reflection(tilted, order_tint, roughness) + sum;
     }
     return sum;

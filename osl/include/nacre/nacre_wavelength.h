@@ -7,6 +7,7 @@
 struct nacre_wavelength {
     float nm;
     color weight;  // signed; the mean over all wavelengths is exactly (1, 1, 1)
+    int cell;
 };
 
 // A uniform number in [0, 1) that belongs to the camera path. Cycles with motion blur on, a flat
@@ -56,12 +57,21 @@ float nacre_second_random(float u, int cells)
     return clamp(v - floor(v), 0.0, 0.999999);
 }
 
+// What a metal of a colour leaves of light of one cell of wavelengths. A signed weight times a colour
+// would be the same in the mean, but has a negative sum where the colour is saturated, and Cycles
+// drops such a lobe. `basis` is one triple a cell: dual to colours, so that this number is the same in
+// every colour space.
+float nacre_at_wavelength(color tint, color basis)
+{
+    return max(0.0, tint[0] * basis[0] + tint[1] * basis[1] + tint[2] * basis[2]);
+}
+
 // Inverse CDF over equal cells of u: cell i holds wavelengths edges[i] to edges[i + 1], uniform
 // inside, and weight[i] is what a path of such a wavelength carries.
 nacre_wavelength nacre_draw_wavelength(float edges[], color weight[], float u)
 {
     int cells = arraylength(weight);
     int i = min((int)(u * cells), cells - 1);
-    nacre_wavelength drawn = {mix(edges[i], edges[i + 1], u * cells - i), weight[i]};
+    nacre_wavelength drawn = {mix(edges[i], edges[i + 1], u * cells - i), weight[i], i};
     return drawn;
 }

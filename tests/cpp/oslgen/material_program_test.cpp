@@ -191,7 +191,8 @@ substrate = { n = 0.9, k = 6 }
                                                  "test.toml");
     Context context = glass_context(source);
     context.glass.reset();
-    context.grating = GratingColours{{0.8, 0.85, 0.9}, 1.58};
+    context.grating = GratingColours{
+        .tint = {0.8, 0.85, 0.9}, .basis = {{0.9, 0.1, 0.0}, {0.0, 0.2, 0.8}}, .cover_index = 1.58};
     const auto program = generate(context);
     const Json manifest = Json::parse(program.manifest);
 
@@ -200,6 +201,9 @@ substrate = { n = 0.9, k = 6 }
     EXPECT_EQ(manifest["grating"]["pitch_nm"], 1600.0);
     EXPECT_EQ(manifest["sockets"][1]["default"], (Json{0.8, 0.85, 0.9}));
     EXPECT_NE(program.osl.find("{ 0, max(pitch_nm, 100.0), 110.0, 0.5, 1.58, 3,"),
+              std::string::npos);
+    EXPECT_NE(program.osl.find(
+                  "color tint_basis[2] = {\n        color(0.9, 0.1, 0.0), color(0.0, 0.2, 0.8) }"),
               std::string::npos);
     expect_sound(manifest, manifest["graphs"]["osl"]);
 }

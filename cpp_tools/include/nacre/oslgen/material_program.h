@@ -65,7 +65,9 @@ struct SchlickTerms {
 /// What the shader of a grating needs beyond the template.
 struct GratingColours {
     std::array<double, 3> tint;  ///< reflectance of the metal under its cover
-    double cover_index;          ///< at the d line
+    /// For each cell of wavelengths: tint · basis is what is left of its light (lut/tint_basis.h).
+    std::vector<std::array<double, 3>> basis;
+    double cover_index;  ///< at the d line
 };
 
 /// All that the pipeline found out about a template.
