@@ -18,7 +18,7 @@ import pytest
 from blender.harness import Blender, Server, xvfb_command
 from support.colours import delta_e
 from support.paths import manifest
-from support.representatives import films, representatives
+from support.representatives import chosen, films, representatives
 from support.stored_truth import RoughFilm, stored_colours
 from support.truth import exact_colours, layers_of, material_template, pixel_cosines, varied
 
@@ -29,7 +29,9 @@ SIZE, COLUMNS = 96, 6
 COSINES, COUNTED = pixel_cosines(SIZE, 0.05)
 ROUGHNESSES = (0.0, 0.35)
 IN_GAMUT = -1e-4
-LIMIT = 0.6  # mean ΔE00
+# Where the mip map changes, pixels two by two show another place of a table: one in fifty at most. ΔE00
+# of the others, mean and largest.
+SEAMS, LIMITS = 0.02, (0.55, 3.0)
 # EEVEE keeps the colour of a closure in ten bits, which is much of a dark one.
 STEP = 1.5 / 1023
 # Looked at since there has been EEVEE in these tests, at these thicknesses.
@@ -52,7 +54,7 @@ CASES = [
     for film in films()
     if film in {*representatives(), *CHOSEN}
     for roughness in ROUGHNESSES
-    if is_seen(film, roughness)
+    if is_seen(film, roughness) and (roughness == 0.0 or film in {*chosen(), *CHOSEN})
 ]
 
 
@@ -118,4 +120,6 @@ def test_film_in_eevee(spheres, expected, film, roughness, record_property):
     record_property("dE00", f"mean {errors.mean():.3f}, max {errors.max():.3f}")
     print(f"dE00 mean {errors.mean():.3f}, max {errors.max():.3f} of {errors.size} pixels")
     assert errors.size >= 0.2 * math.pi / 4 * SIZE**2
-    assert errors.mean() <= LIMIT
+    others = np.sort(errors)[: math.ceil((1 - SEAMS) * errors.size)]
+    assert others.mean() <= LIMITS[0]
+    assert others.max() <= LIMITS[1]

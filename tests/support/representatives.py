@@ -100,22 +100,25 @@ def coherent_nm(material: str) -> float:
     return sum(nm for layer, nm in layers if layer.get("coherent", True))
 
 
-@cache
 def representatives() -> dict[str, str]:
     """Films that go through the full product, and why."""
-    if os.environ.get("NACRE_SOAK"):
-        return dict.fromkeys(films(), "all do")
-    chosen: dict[str, str] = {}
+    return dict.fromkeys(films(), "all do") if os.environ.get("NACRE_SOAK") else chosen()
+
+
+@cache
+def chosen() -> dict[str, str]:
+    """Those that stand for the others: where the truth is stored, there is that of them."""
+    found: dict[str, str] = {}
     for name in sorted(films(), key=lambda name: (-lobes(name), name)):
-        if shape(name) not in map(shape, chosen):
-            chosen[name] = "most lobes of its shape"
+        if shape(name) not in map(shape, found):
+            found[name] = "most lobes of its shape"
     for why, measure in (
         ("most lobes", lobes),
         ("thickest", coherent_nm),
         ("furthest out of gamut", lambda name: -manifest(name)["gamut"]["lowest"]),
     ):
-        chosen.setdefault(max(films(), key=measure), why)
-    return chosen
+        found.setdefault(max(films(), key=measure), why)
+    return found
 
 
 def number(*words: object) -> int:
