@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 import pytest
 
@@ -116,6 +118,17 @@ def test_replacing_must_be_asked_for(own):
     assert "Other" not in file.read_text()
     nacre.library.add(lamp(key="python/twice", name="Other"), replace=True)
     assert "Other" in file.read_text()
+
+
+def test_a_file_of_the_same_size_and_time_is_another_one(own):
+    nacre.library.add(lamp(key="python/again", values=np.array([1.0, 2.0])))
+    file = own / "spectra" / "python" / "again.csv"
+    before = file.stat()
+    for value in range(2, 10):
+        file.write_text(file.read_text().replace(f"400,{value - 1}", f"400,{value}"))
+        os.utime(file, ns=(before.st_atime_ns, before.st_mtime_ns))
+        assert file.stat().st_size == before.st_size
+        assert nacre.library.spectrum("python/again").values[0] == value
 
 
 def test_media_from_arrays_and_files(tmp_path, own):
