@@ -115,7 +115,7 @@ def test_half_a_metal_is_refused(nacre, tmp_path, own_library):
 def test_citation_licence_scale_and_replace(nacre, tmp_path):
     path = write(tmp_path, "p.csv", "400,50\n700,25\n")
     arguments = ("library", "import", path, "--kind", "reflectance", "--as", "p")
-    assert "--scale multiplies" in nacre.fails(*arguments)
+    assert "must be ratios or per cent" in nacre.fails(*arguments)
     nacre.ok(*arguments, "--scale", "0.01", "--citation", "me", "--licence", "CC0 1.0")
     shown = spectrum(nacre, "p")
     assert (shown["references"], shown["licence"]) == ("me", "CC0 1.0")
@@ -123,6 +123,41 @@ def test_citation_licence_scale_and_replace(nacre, tmp_path):
     assert "p: is there already" in nacre.fails(*arguments, "--scale", "0.02")
     nacre.ok(*arguments, "--scale", "0.02", "--replace")
     assert spectrum(nacre, "p")["values"] == [1, 0.5]
+
+
+BLACK = """\
+CGATS.17
+BEGIN_DATA_FORMAT
+SAMPLE_NAME SPECTRAL_NM400 SPECTRAL_NM550 SPECTRAL_NM700
+END_DATA_FORMAT
+BEGIN_DATA
+black 1.2 1.45 1.7
+END_DATA
+"""
+
+
+def test_per_cent_is_not_taken_for_ratios(nacre, tmp_path, own_library):
+    chart = write(tmp_path, "black.txt", BLACK)
+    arguments = ("library", "import", chart, "--as", "black")
+    errors = nacre.fails(*arguments)
+    assert f"{chart}: black: must be ratios or per cent" in errors
+    assert "(got 1.2 … 1.7): give a scale, 0.01 for per cent" in errors
+    # Nothing reflects more than all light at every wavelength.
+    assert "must be ≤ 1 somewhere" in nacre.fails(*arguments, "--scale", "1")
+    assert not own_library.exists()
+    nacre.ok(*arguments, "--scale", "0.01")
+    assert spectrum(nacre, "black")["values"] == pytest.approx([0.012, 0.0145, 0.017])
+
+    bake = ("bake", "spectra", chart, "-o", tmp_path / "black.csv")
+    assert "black: must be ratios or per cent" in nacre.fails(*bake)
+    nacre.ok(*bake, "--scale", "0.01")
+    lamp = write(tmp_path, "lamp.spd", "400 1.2\n700 1.7\n")
+    out = tmp_path / "x.csv"
+    assert "per cent" in nacre.fails("bake", "spectra", lamp, "--kind", "reflectance", "-o", out)
+    assert "per cent" in nacre.fails(
+        "bake", "material", "air", "--intensity", lamp, "-o", tmp_path / "m.csv"
+    )
+    nacre.ok("bake", "spectra", lamp, "--kind", "emission", "-o", out)
 
 
 def files(folder):

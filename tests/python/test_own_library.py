@@ -73,6 +73,21 @@ def test_files_that_are_wrong_say_where(tmp_path):
         nacre.library.read(tmp_path / "nowhere.csv")
 
 
+def test_per_cent_is_stated(tmp_path):
+    file = tmp_path / "black.cgats"
+    file.write_text(CGATS.replace("0.1 0.2 0.3", "1.2 0.9 1.7"))
+    with pytest.raises(nacre.NacreError, match=r"A1: must be ratios or per cent.*scale="):
+        nacre.library.read(file)
+    assert nacre.library.read(file, scale=0.01)[0].values == pytest.approx([0.012, 0.009, 0.017])
+    assert nacre.library.read(file, scale=1)[0].values.tolist() == [1.2, 0.9, 1.7]
+    assert nacre.library.read(file, kind="emission")[0].kind == "emission"
+    for wrong in (0, -1, float("nan"), float("inf")):
+        with pytest.raises(nacre.NacreError, match="scale: must be finite and > 0"):
+            nacre.library.read(file, scale=wrong)
+    with pytest.raises(nacre.NacreError, match="kind: must be emission or reflectance"):
+        nacre.library.read(file, kind="colour")
+
+
 def test_a_spectrum_comes_back_as_it_was(own):
     given = lamp()
     nacre.library.add(given)

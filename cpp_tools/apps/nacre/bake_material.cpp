@@ -74,6 +74,8 @@ Medium read_medium(const std::string& input)
 NamedSpectrum read_one(const std::string& input)
 {
     auto spectra = read_spectra_input(input);
+    if (spectra.size() == 1 && !spectra.front().kind)
+        apply({.kind = SpectrumKind::reflectance, .scale = {}}, spectra, input);
     if (spectra.size() != 1)
         throw InputError({input, 0, "--intensity",
                           fmt::format("must hold one spectrum (got {})", spectra.size())});

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -31,7 +30,7 @@ using spectral::UserEntry;
 struct ImportOptions {
     std::vector<std::string> files;
     std::string key, kind, citation, licence;
-    double scale = 1.0;
+    std::optional<double> scale;
     bool replace = false;
     bool alone = true;  ///< one source, whose key may be given
 };
@@ -107,17 +106,11 @@ UserEntry read_medium(const ImportOptions& options, const std::string& file)
 NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
                         const std::string& file)
 {
-    if (!options.kind.empty())
-        spectrum.kind =
-            options.kind == "emission" ? SpectrumKind::emission : SpectrumKind::reflectance;
     if (!spectrum.kind)
         throw InputError(
             {file, 0, "--kind", "must be emission or reflectance: the file does not tell"});
     if (!options.citation.empty()) spectrum.references = options.citation;
     if (!options.licence.empty()) spectrum.licence = options.licence;
-    std::vector<double> values = spectrum.samples.values();
-    for (double& value : values) value *= options.scale;
-    spectrum.samples = {spectrum.samples.wavelengths_nm(), std::move(values)};
     if (auto problem = spectral::kind_problem(spectrum.samples, *spectrum.kind))
         throw InputError({file, 0, spectrum.name,
                           *problem + "; --scale multiplies the values, by 0.01 for per cent"});
@@ -126,7 +119,8 @@ NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
 
 std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::string& file)
 {
-    std::vector<NamedSpectrum> spectra = read_spectra_file(file);
+    std::vector<NamedSpectrum> spectra =
+        read_spectra_file(file, {}, read_as(options.kind, options.scale));
     const std::string folder = key_of_file(options, file);
     std::vector<UserEntry> entries;
     std::set<std::string> parts;
@@ -181,9 +175,6 @@ std::vector<UserEntry> read_source(const ImportOptions& options, const Source& s
 
 int import_files(const Session& session, ImportOptions options)
 {
-    if (!std::isfinite(options.scale) || !(options.scale > 0.0))
-        throw InputError(
-            {{}, 0, "--scale", fmt::format("must be finite and > 0 (got {:g})", options.scale)});
     std::vector<UserEntry> entries;
     DiagnosticList problems;
     const std::vector<Source> sources = sources_of(options);
@@ -237,8 +228,7 @@ void add_library_import(CLI::App& library, Session& session)
         ->check(CLI::IsMember({"medium", "reflectance", "emission"}));
     command->add_option("--citation", options->citation, "where the data are from");
     command->add_option("--licence", options->licence, "on what terms they may be used");
-    command->add_option("--scale", options->scale, "multiplies the values of spectra")
-        ->capture_default_str();
+    command->add_option("--scale", options->scale, kScaleHelp);
     command->add_flag("--replace", options->replace,
                       "take the place of your own entry of that key");
     command->callback([&session, options] {

@@ -117,15 +117,30 @@ def _spectrum_from(found: _native.Spectrum, tags: tuple[str, ...]) -> Spectrum:
     return Spectrum(key, name, kind, references, licence, comments, wavelengths, values, tags)
 
 
-def read(path: str | os.PathLike[str]) -> list[Spectrum]:
+def read(
+    path: str | os.PathLike[str], *, kind: str = "", scale: float | None = None
+) -> list[Spectrum]:
     """Spectra of a file: `.csv`, `.spd` of Mitsuba and pbrt, `.spdx` (IES TM-27-14) or CGATS.
 
-    Raises NacreError with all that is wrong, each with its line; OSError where there is no file.
+    kind: what the values are, whatever the file says. scale: multiplies them, by 0.01 for per cent,
+    by 1 for ratios; by default as the file says, and a reflectance above 1 of which it does not say
+    whether it is a ratio or per cent is refused. Raises NacreError with all that is wrong, each with
+    its line; OSError where there is no file.
     """
+    if scale is not None and not 0.0 < scale < float("inf"):
+        raise NacreError(f"scale: must be finite and > 0 (got {scale!r})")
     content = Path(path).read_bytes()
     handle = ctypes.c_void_p()
-    name = os.fsencode(path)
-    check(lib.nacre_read_spectra(content, len(content), name, ctypes.byref(handle)))
+    check(
+        lib.nacre_read_spectra(
+            content,
+            len(content),
+            os.fsencode(path),
+            text(kind, "kind"),
+            scale or 0.0,
+            ctypes.byref(handle),
+        )
+    )
     try:
         spectra = []
         for index in range(lib.nacre_spectra_count(handle)):

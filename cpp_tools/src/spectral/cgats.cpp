@@ -62,6 +62,7 @@ private:
 struct SpectralField {
     std::size_t column;
     double nm, scale;
+    bool unit_stated;
 };
 
 std::optional<SpectralField> spectral_field(std::string_view name, std::size_t column)
@@ -69,20 +70,22 @@ std::optional<SpectralField> spectral_field(std::string_view name, std::size_t c
     struct Prefix {
         std::string_view text;
         double scale;
+        bool unit_stated;
     };
     // The longer ones first: SPECTRAL_ is the start of three others.
-    constexpr std::array<Prefix, 6> kPrefixes = {{{"SPECTRAL_NM", 1.0},
-                                                  {"SPECTRAL_PCT", 0.01},
-                                                  {"SPECTRAL_DEC", 1.0},
-                                                  {"SPECTRAL_", 1.0},
-                                                  {"SPEC_", 1.0},
-                                                  {"NM", 1.0}}};
-    for (const auto& [prefix, scale] : kPrefixes) {
+    constexpr std::array<Prefix, 6> kPrefixes = {{{"SPECTRAL_NM", 1.0, false},
+                                                  {"SPECTRAL_PCT", 0.01, true},
+                                                  {"SPECTRAL_DEC", 1.0, true},
+                                                  {"SPECTRAL_", 1.0, false},
+                                                  {"SPEC_", 1.0, false},
+                                                  {"NM", 1.0, false}}};
+    for (const auto& [prefix, scale, unit_stated] : kPrefixes) {
         if (!same_letters(name.substr(0, prefix.size()), prefix)) continue;
         std::string_view rest = name.substr(prefix.size());
         if (rest.starts_with('_')) rest.remove_prefix(1);
         const auto nm = parse_number(rest);
-        if (nm && std::isfinite(*nm) && *nm > 0.0) return SpectralField{column, *nm, scale};
+        if (nm && std::isfinite(*nm) && *nm > 0.0)
+            return SpectralField{column, *nm, scale, unit_stated};
     }
     return std::nullopt;
 }
@@ -154,6 +157,7 @@ private:
             }
             if (auto field = spectral_field(word->text, columns_)) {
                 field->scale /= norm;
+                field->unit_stated |= !header("SPECTRAL_NORM").empty();
                 fields_.push_back(*field);
             } else if (word->text == "SAMPLE_NAME" ||
                        (word->text == "SAMPLE_ID" && !name_column_)) {
@@ -228,7 +232,8 @@ private:
              .comments = clean_text(header("DESCRIPTOR")),
              .tags = {},
              .kind = emission ? SpectrumKind::emission : SpectrumKind::reflectance,
-             .samples = {std::move(nm), std::move(values)}});
+             .samples = {std::move(nm), std::move(values)},
+             .unit_stated = std::ranges::all_of(fields_, &SpectralField::unit_stated)});
     }
 
     [[nodiscard]] std::string_view header(std::string_view keyword) const

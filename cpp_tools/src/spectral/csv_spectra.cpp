@@ -57,7 +57,9 @@ std::vector<NamedSpectrum> read_csv_spectra(std::string_view text, std::string_v
                            .comments = read.comments["COMMENTS"],
                            .tags = split_tags(read.comments["TAGS"]),
                            .kind = kind,
-                           .samples = {table.wavelengths_nm, std::move(table.columns[i])}});
+                           .samples = {table.wavelengths_nm, std::move(table.columns[i])},
+                           // As the files of a library have it, whose reflectances are ratios.
+                           .unit_stated = kind.has_value()});
     }
     return spectra;
 }

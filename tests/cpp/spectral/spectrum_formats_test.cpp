@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -234,6 +235,89 @@ TEST(Cgats, KeepsToItsLimits)
     std::string wide = "BEGIN_DATA_FORMAT\n";
     for (std::size_t i = 0; i <= kMaxSamples; ++i) wide += "nm" + std::to_string(i + 1) + " ";
     EXPECT_INPUT_ERROR((void)read_cgats(wide, "x"), "must have at most 100000 fields");
+}
+
+std::string cgats_of(const std::string& fields, const std::string& row, const std::string& top = "")
+{
+    return "CGATS.17\n" + top + "BEGIN_DATA_FORMAT\n" + fields + "\nEND_DATA_FORMAT\nBEGIN_DATA\n" +
+           row + "\nEND_DATA\n";
+}
+
+// A black patch in per cent has the numbers of a fluorescent colour in ratios.
+TEST(PerCent, IsNotTakenForRatiosInAnyFormat)
+{
+    struct Case {
+        const char* file;
+        std::string text;
+    };
+    const std::string argyll = "SPEC_400 SPEC_410";
+    for (const auto& [file, text] :
+         {Case{"x.cgats", cgats_of("SPECTRAL_NM400 SPECTRAL_NM410", "1.7 0.5")},
+          Case{"x.cgats", cgats_of("nm400 nm410", "1.7 0.5")},
+          Case{"x.sp", cgats_of(argyll, "1.7 0.5")}, Case{"x.spd", "400 1.7\n410 0.5\n"},
+          Case{"x.csv", "400,1.7\n410,0.5\n"}, Case{"x.csv", "nm,a,b\n400,0.9,1.7\n410,0.9,0.5\n"},
+          Case{"x.spdx", spdx("<SpectralQuantity>R-Factor</SpectralQuantity>\n"
+                              "<SpectralData wavelength=\"400\">1.7</SpectralData>\n"
+                              "<SpectralData wavelength=\"410\">0.5</SpectralData>\n")}}) {
+        const auto read = [&, &file = file, &text = text](std::optional<double> scale) {
+            return read_spectra(text, file, {SpectrumKind::reflectance, scale})
+                .back()
+                .samples.values();
+        };
+        EXPECT_INPUT_ERROR((void)read({}),
+                           "must be ratios or per cent, and the file does not say which (got 0.5 … "
+                           "1.7): give a scale, 0.01 for per cent, 1 for ratios");
+        EXPECT_EQ(read(1.0), (Numbers{1.7, 0.5})) << text;
+        EXPECT_EQ(read(0.01), (Numbers{1.7 * 0.01, 0.5 * 0.01})) << text;
+        EXPECT_NO_THROW((void)read_spectra(text, file, {SpectrumKind::emission, {}})) << text;
+    }
+}
+
+TEST(PerCent, IsReadWhereTheFileSaysSo)
+{
+    const auto read = [](const std::string& text) {
+        return read_spectra(text, "x.cgats").front().samples.values();
+    };
+    EXPECT_EQ(read(cgats_of("SPECTRAL_PCT400 SPECTRAL_PCT410", "1.7 1.2")),
+              (Numbers{1.7 * 0.01, 1.2 * 0.01}));
+    EXPECT_EQ(read(cgats_of("SPECTRAL_DEC400 SPECTRAL_DEC410", "1.5 0.5")), (Numbers{1.5, 0.5}));
+    EXPECT_EQ(read(cgats_of("SPEC_400 SPEC_410", "1.5 50", "SPECTRAL_NORM \"100\"\n")),
+              (Numbers{1.5 * 0.01, 50 * 0.01}));
+    EXPECT_EQ(read(cgats_of("SPEC_400 SPEC_410", "1.5 0.5", "SPECTRAL_NORM 1\n")),
+              (Numbers{1.5, 0.5}));
+    // Of one field nothing is known.
+    EXPECT_INPUT_ERROR((void)read(cgats_of("SPECTRAL_PCT400 SPECTRAL_NM410", "1.7 1.2")),
+                       "must be ratios or per cent");
+    // Whoever writes KIND writes what a library holds.
+    EXPECT_EQ(read_spectra("# KIND: reflectance\n400,1.5\n500,0.5\n", "x.csv")[0].samples.values(),
+              (Numbers{1.5, 0.5}));
+}
+
+TEST(PerCent, NamesEveryPatch)
+{
+    const std::string text =
+        cgats_of("SAMPLE_NAME nm400 nm410", "white 96 97\nblack 1.2 1.7\nred 0.5 1");
+    EXPECT_EQ(
+        test::input_error_of([&] { (void)read_spectra(text, "c.txt"); }),
+        "c.txt: white: must be ratios or per cent, and the file does not say which (got 96 … 97): "
+        "give a scale, 0.01 for per cent, 1 for ratios above 1 (--scale of nacre library import, "
+        "scale= in Python)\n"
+        "c.txt: black: must be ratios or per cent, and the file does not say which (got 1.2 … "
+        "1.7): "
+        "give a scale, 0.01 for per cent, 1 for ratios above 1 (--scale of nacre library import, "
+        "scale= in Python)");
+}
+
+// Fluorescence moves light; it makes none.
+TEST(Reflectance, IsNotAboveOneEverywhere)
+{
+    const Spectrum above({400, 700}, {1.2, 1.7}), once({400, 700}, {1.0, 1.7});
+    EXPECT_EQ(kind_problem(above, SpectrumKind::reflectance),
+              "a reflectance must be ≤ 1 somewhere, 1 for all of the light (got 1.2 … 1.7)");
+    EXPECT_EQ(kind_problem(once, SpectrumKind::reflectance), std::nullopt);
+    EXPECT_EQ(kind_problem(above, SpectrumKind::emission), std::nullopt);
+    EXPECT_INPUT_ERROR((void)read_library_spectrum("# KIND: reflectance\n400,1.2\n700,1.7\n", "x"),
+                       "must be ≤ 1 somewhere");
 }
 
 TEST(SpectrumFormat, FollowsFromExtensionOrContent)
