@@ -71,7 +71,10 @@ public:
 
     NumberTables read()
     {
-        while (const auto line = lines_.next()) read_line(trimmed(*line));
+        while (const auto line = lines_.next()) {
+            if (full_) break;
+            read_line(trimmed(*line));
+        }
         if (result_.tables.empty() && problems_.empty())
             problems_.add(0, {}, "must have rows of a wavelength and values");
         finish_table();
@@ -134,15 +137,13 @@ private:
         }
         if (table.wavelengths_nm.size() == kMaxSamples) {
             problems_.add(line, {}, fmt::format("must have at most {} rows", kMaxSamples));
+            full_ = true;
             return;
         }
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            const double value = number(cells[i], line, i == 0 ? "wavelength" : name_of(table, i));
-            if (i > 0)
-                table.columns[i - 1].push_back(value);
-            else
-                add_wavelength(table, value * unit_, line);
-        }
+        if (const auto wavelength = number(cells[0], line, "wavelength"))
+            add_wavelength(table, *wavelength * unit_, line);
+        for (std::size_t i = 1; i < cells.size(); ++i)
+            table.columns[i - 1].push_back(number(cells[i], line, name_of(table, i)).value_or(0.0));
     }
 
     static std::string name_of(const NumberTable& table, std::size_t column)
@@ -151,13 +152,13 @@ private:
                                    : excerpt(table.names[column - 1]);
     }
 
-    double number(std::string_view cell, int line, const std::string& field)
+    std::optional<double> number(std::string_view cell, int line, const std::string& field)
     {
         const auto value = parse_number(cell);
-        if (value && std::isfinite(*value)) return *value;
+        if (value && std::isfinite(*value)) return value;
         problems_.add(line, field,
                       fmt::format("must be a finite number (got '{}')", excerpt(cell)));
-        return 0.0;
+        return std::nullopt;
     }
 
     void add_wavelength(NumberTable& table, double nm, int line)
@@ -197,6 +198,7 @@ private:
     char separator_ = ',';
     double unit_ = 1.0;
     std::size_t column_count_ = 0;
+    bool full_ = false;
 };
 
 }  // namespace

@@ -38,6 +38,15 @@ std::size_t utf8_length(std::string_view text)
     return 0;
 }
 
+/// C0, DEL and C1, which steer terminals.
+bool is_control(std::string_view character)
+{
+    const auto first = static_cast<unsigned char>(character.front());
+    if (first < 0x20 || first == 0x7F) return true;
+    return character.size() == 2 && first == 0xC2 &&
+           static_cast<unsigned char>(character[1]) < 0xA0;
+}
+
 }  // namespace
 
 TextLines::TextLines(std::string_view text) : rest_(text)
@@ -98,10 +107,16 @@ std::vector<std::string_view> split_words(std::string_view text)
 std::string excerpt(std::string_view text)
 {
     constexpr std::size_t kMost = 60;
-    std::string shown(text.substr(0, kMost));
-    std::ranges::replace_if(
-        shown, [](char c) { return c < ' ' || c > '~'; }, '?');
-    return text.size() > kMost ? shown + "…" : shown;
+    std::string shown;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+        const bool printable = length > 0 && !is_control(character);
+        shown += printable ? character : "?";
+        text.remove_prefix(character.size());
+        if (shown.size() >= kMost) break;
+    }
+    return text.empty() ? shown : shown + "…";
 }
 
 std::string clean_text(std::string_view text)
@@ -109,10 +124,9 @@ std::string clean_text(std::string_view text)
     std::string clean;
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);
-        const auto first = static_cast<unsigned char>(text.front());
         if (length == 0)
             clean += '?';
-        else if (first < 0x20 || first == 0x7F)
+        else if (is_control(text.substr(0, length)))
             clean += ' ';
         else
             clean += text.substr(0, length);

@@ -42,7 +42,8 @@ private:
 /// Words between spaces, tabs and commas.
 [[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
 
-/// The start of what a user wrote, for a message: bytes that may be no UTF-8 become `?`.
+/// The start of what a user wrote, for a message: control characters and bytes that are no UTF-8
+/// become `?`.
 [[nodiscard]] std::string excerpt(std::string_view text);
 
 /// The same on one line and in UTF-8: control characters become spaces, other bytes `?`.

@@ -204,6 +204,81 @@ TEST(Cgats, IsAsLongAsItSays)
     EXPECT_EQ(spectra.size(), 3u);
 }
 
+// Each of these files has one fault, and one message.
+TEST(Messages, OfOneFaultAreOne)
+{
+    struct Case {
+        const char* file;
+        std::string text, message;
+    };
+    const std::string row = "1 red 0.5 0.25\n";
+    std::string no_fields = kChart, twice = kChart;
+    no_fields.replace(no_fields.find("SPECTRAL_NM410 SPECTRAL_NM400"), 29, "RGB_R RGB_G");
+    twice.replace(twice.find("NM410"), 5, "NM400");
+    std::string tall = "nm,a\n",
+                wide = "BEGIN_DATA_FORMAT\nnm400 nm410\nEND_DATA_FORMAT\nBEGIN_DATA\n";
+    for (std::size_t i = 1; i <= kMaxSamples + 60; ++i) tall += std::to_string(100 + i) + ",1\n";
+    for (std::size_t i = 0; i <= kMaxSpectra + 60; ++i) wide += "1 1\n";
+    for (const auto& [file, text, message] : {
+             Case{"x.cgats", no_fields + row + row + "END_DATA\n",
+                  "x.cgats:6: BEGIN_DATA_FORMAT: must have two or more fields such as "
+                  "SPECTRAL_NM380"},
+             Case{"x.cgats", twice + row + row + "END_DATA\n",
+                  "x.cgats:6: BEGIN_DATA_FORMAT: must have 400 nm once only"},
+             // A word too few or too many ends with its line, and says nothing of how many there
+             // are.
+             Case{"x.cgats", kChart + row + "2 blue 0.5\n" + row + "END_DATA\n",
+                  "x.cgats:12: must have 4 words as there are fields (got 3)"},
+             Case{"x.cgats", kChart + row + "2 dark blue 0.5 0.25\nEND_DATA\n",
+                  "x.cgats:12: must have 4 words as there are fields (got 5)"},
+             Case{"x.cgats", kChart + row + "2 blue 0.5 x\n" + row + "END_DATA\n",
+                  "x.cgats:12: 400 nm: must be a finite number (got 'x')"},
+             Case{"x.cgats", wide + "END_DATA\n",
+                  "x.cgats:10005: must have at most 10000 sets of data"},
+             Case{"x.csv", tall, "x.csv:100002: must have at most 100000 rows"},
+             Case{"x.csv", "nm,a\n400,1\nx,1\n420,1\n",
+                  "x.csv:3: wavelength: must be a finite number (got 'x')"},
+             Case{"x.csv", "nm,a\nx,1\n420,1\n",
+                  "x.csv:2: wavelength: must be a finite number (got 'x')"},
+             Case{"x.csv", "nm,a\n400,1\n500\n",
+                  "x.csv:3: must have 2 numbers as the rows before (got 1)"},
+             Case{"x.spd", "400 1\n500\n",
+                  "x.spd:2: must be a wavelength and a value (got 1 words)"},
+             Case{"x.spd", "400 1\nx 1\n420 1\n",
+                  "x.spd:2: wavelength: must be a finite number (got 'x')"},
+             Case{"x.spdx", spdx("<SpectralData>1</SpectralData>"),
+                  "x.spdx:6: SpectralData.wavelength: is missing"},
+         })
+        EXPECT_EQ(test::input_error_of(
+                      [&, &text = text, &file = file] { (void)read_spectra(text, file); }),
+                  message);
+}
+
+TEST(Messages, ShowWhatAUserWrote)
+{
+    // "λ" in UTF-8; a lone byte of Latin-1; ESC and its C1 form; what is long is cut between
+    // letters.
+    for (const auto& [cell, shown] :
+         {std::pair<std::string, std::string>{"\xCE\xBB (nm)", "λ (nm)"},
+          {"5\xB5m", "5?m"},
+          {"a\x1B[1m", "a?[1m"},
+          {"a\xC2\x9B"
+           "1m",
+           "a?1m"},
+          {std::string(59, 'x') + "\xCE\xBBy", std::string(59, 'x') + "λ…"},
+          {std::string(60, 'x'), std::string(60, 'x')}})
+        EXPECT_INPUT_ERROR((void)read_csv_spectra("nm,a\n400," + cell + "\n500,1\n", "x"),
+                           "(got '" + shown + "')");
+}
+
+TEST(Cgats, ReadsSetsOverSeveralLines)
+{
+    const auto spectra = read_cgats(kChart + "1\n red 0.5\n0.25 2 blue\n0.75 1\nEND_DATA\n", "x");
+    ASSERT_EQ(spectra.size(), 2U);
+    EXPECT_EQ(spectra[0].samples.values(), (Numbers{0.25, 0.5}));
+    EXPECT_EQ(spectra[1].samples.values(), (Numbers{1, 0.75}));
+}
+
 TEST(Cgats, NamesEveryProblemWithItsLine)
 {
     EXPECT_EQ(test::input_error_of([] {
