@@ -8,6 +8,8 @@ import json
 
 import pytest
 
+from support.paths import OPTICAL_CONSTANTS
+
 SPD = "# lamp\n400 0.5\n500 1\n600 0.25\n"
 SPDX = """\
 <IESTM2714 version="1.0"><Header><Manufacturer>Maker</Manufacturer></Header>
@@ -78,6 +80,33 @@ def test_optical_constants(nacre, tmp_path, own_library):
         "substrate": {"medium": "user/oil"},
     }
     nacre.ok("library", "check", write(tmp_path, "film.json", json.dumps(film)))
+
+
+def test_constants_as_refractiveindex_info_has_them(nacre, tmp_path):
+    """Magnetite by Querry comes with Nacre, rows sorted; here they stand as in the database."""
+    text = (OPTICAL_CONSTANTS / "Fe3O4" / "Querry.yml").read_text()
+    ours, theirs = "        2.8902 ", "        2.8918 "
+    first, second = (
+        next(li for li in text.splitlines() if li.startswith(w)) for w in (ours, theirs)
+    )
+    swapped = text.replace(f"{first}\n{second}", f"{second}\n{first}")
+    assert swapped != text
+    path = write(tmp_path, "Querry.yml", swapped)
+    change = "changed: DATA[0].data: sorted by wavelength (1 row, the first in line "
+    for command in (("check",), ("import",)):
+        done = nacre("library", *command, path)
+        assert (done.returncode, f"{path}: " in done.stderr) == (0, True), done.stderr
+        assert "sorted by wavelength (1 row, the first in line" in done.stderr
+    assert change in nacre.ok("library", "show", "user/Querry")
+    at = ("--at", "550", "--at", "2891", "--json")
+    mended, shipped = (
+        json.loads(nacre.ok("library", "show", key, *at)) for key in ("user/Querry", "Fe3O4/Querry")
+    )
+    assert mended["at"] == shipped["at"]
+    assert len(mended["changes"]) == 1
+    assert shipped["changes"] == []
+    assert "sorted" in nacre("bake", "material", path, "-o", tmp_path / "m.csv").stderr
+    assert nacre("--quiet", "library", "check", path).stderr == ""
 
 
 ETA = "300 1.5\n400 0.5\n700 1.1\n"

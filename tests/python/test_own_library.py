@@ -158,6 +158,17 @@ def test_media_from_arrays_and_files(tmp_path, own):
     assert glass.index(500.0) == pytest.approx(1.5 + 0.004 / 0.25)
     assert glass.references == "me"
 
+    (tmp_path / "loop.yml").write_text(
+        "DATA:\n  - type: tabulated nk\n    data: |\n        0.7 1.4 0\n        0.4 1.5 -1e-17\n"
+    )
+    loop = nacre.library.add_medium("python/loop", tmp_path / "loop.yml")
+    assert [change.split(" (")[0] for change in loop.changes] == [
+        "DATA[0].data: sorted by wavelength",
+        "DATA[0].data: k < 0 taken as 0",
+    ]
+    assert loop.index(400.0) == 1.5
+    assert film.changes == ()
+
     with pytest.raises(nacre.NacreError, match="is there already"):
         nacre.library.add_medium("python/film", (nm, n))
     with pytest.raises(nacre.NacreError, match="source: must be two arrays"):

@@ -35,6 +35,9 @@ struct ImportOptions {
     bool alone = true;  ///< one source, whose key may be given
 };
 
+/// What was put right, each with its file.
+using Changes = std::vector<std::string>;
+
 /// One file, or two of one medium.
 struct Source {
     std::string file;
@@ -97,10 +100,14 @@ std::string key_of_file(const ImportOptions& options, const std::string& file)
                        part.empty() ? "entry" : part);
 }
 
-UserEntry read_medium(const ImportOptions& options, const std::string& file)
+UserEntry read_medium(const ImportOptions& options, const std::string& file, Changes& changes)
 {
-    return {EntryKind::medium, key_of_file(options, file),
-            spectral::refractiveindex_yaml_of_file(read_text(file), file, options.citation)};
+    std::vector<std::string> made;
+    UserEntry entry{
+        EntryKind::medium, key_of_file(options, file),
+        spectral::refractiveindex_yaml_of_file(read_text(file), file, options.citation, made)};
+    for (const std::string& change : made) changes.push_back(fmt::format("{}: {}", file, change));
+    return entry;
 }
 
 NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
@@ -148,17 +155,19 @@ std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::str
     return entries;
 }
 
-UserEntry read_pair(const ImportOptions& options, const Source& pair)
+UserEntry read_pair(const ImportOptions& options, const Source& pair, Changes& changes)
 {
-    std::string text = spectral::refractiveindex_yaml_from_spd(
-        read_text(pair.file), pair.file, read_text(pair.k_file), pair.k_file, options.citation);
+    std::string text = spectral::refractiveindex_yaml_from_spd(read_text(pair.file), pair.file,
+                                                               read_text(pair.k_file), pair.k_file,
+                                                               options.citation, changes);
     const std::string metal = pair.k_file.substr(0, pair.k_file.size() - kK.size());
     return {EntryKind::medium, key_of_file(options, metal + ".spd"), std::move(text)};
 }
 
-std::vector<UserEntry> read_source(const ImportOptions& options, const Source& source)
+std::vector<UserEntry> read_source(const ImportOptions& options, const Source& source,
+                                   Changes& changes)
 {
-    if (!source.k_file.empty()) return {read_pair(options, source)};
+    if (!source.k_file.empty()) return {read_pair(options, source, changes)};
     const std::string& file = source.file;
     const std::string extension = std::filesystem::path(file).extension().string();
     const bool yaml = extension == ".yml" || extension == ".yaml";
@@ -169,7 +178,7 @@ std::vector<UserEntry> read_source(const ImportOptions& options, const Source& s
             {file, 0, "--kind",
              "must be emission or reflectance for an image; optical constants are read "
              "from .yml, .csv or a pair of .spd"});
-    if (yaml || options.kind == "medium") return {read_medium(options, file)};
+    if (yaml || options.kind == "medium") return {read_medium(options, file, changes)};
     return read_spectra(options, file);
 }
 
@@ -177,11 +186,12 @@ int import_files(const Session& session, ImportOptions options)
 {
     std::vector<UserEntry> entries;
     DiagnosticList problems;
+    Changes changes;
     const std::vector<Source> sources = sources_of(options);
     options.alone = sources.size() == 1;
     for (const Source& source : sources) {
         try {
-            for (UserEntry& entry : read_source(options, source))
+            for (UserEntry& entry : read_source(options, source, changes))
                 entries.push_back(std::move(entry));
         } catch (const InputError& error) {
             for (const Diagnostic& diagnostic : error.diagnostics()) problems.add(diagnostic);
@@ -189,6 +199,7 @@ int import_files(const Session& session, ImportOptions options)
     }
     problems.throw_if_any();
     const auto files = spectral::save_user_entries(entries, options.replace);
+    for (const std::string& change : changes) session.note("changed: " + change);
     ordered_json list = ordered_json::array();
     std::string text;
     for (std::size_t i = 0; i < entries.size(); ++i) {

@@ -130,7 +130,7 @@ class Shape(Structure):
 
 
 class LibraryWords(Structure):
-    _fields_ = [("formula", c_char_p), ("tags", c_char_p)]
+    _fields_ = [("formula", c_char_p), ("tags", c_char_p), ("changes", c_char_p)]
 
 
 class MediumIndex(Structure):

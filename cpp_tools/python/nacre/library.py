@@ -19,7 +19,8 @@ from ._native import NacreError, check, doubles, lib, text
 
 class Medium(NamedTuple):
     """key: `book/page`; references: citation; range_nm: closed range of the data; formula: chemical,
-    e.g. `TiO2`, or empty; tags: kind of matter, e.g. `metal`."""
+    e.g. `TiO2`, or empty; tags: kind of matter, e.g. `metal`; changes: what was put right when the
+    file was read, such as rows out of order."""
 
     key: str
     name: str
@@ -28,6 +29,7 @@ class Medium(NamedTuple):
     range_nm: tuple[float, float]
     formula: str = ""
     tags: tuple[str, ...] = ()
+    changes: tuple[str, ...] = ()
 
     # Not that of a tuple, whose values nobody looks for.
     def index(self, wavelength_nm: ArrayLike) -> np.ndarray:  # type: ignore[override]
@@ -78,11 +80,12 @@ def keys(kind: str = "media", search: str = "", tag: str = "") -> list[str]:
     return [lib.nacre_library_found(index).decode() for index in range(count.value)]
 
 
-def _words(kind: str, key: str) -> tuple[str, tuple[str, ...]]:
-    """Formula and tags."""
+def _words(kind: str, key: str) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
+    """Formula, tags and changes."""
     found = _native.LibraryWords()
     check(lib.nacre_library_words_of(_KINDS[kind], text(key, "key"), ctypes.byref(found)))
-    return found.formula.decode(), tuple(found.tags.decode().splitlines())
+    tags, changes = (tuple(lines.decode().splitlines()) for lines in (found.tags, found.changes))
+    return found.formula.decode(), tags, changes
 
 
 def medium(key: str) -> Medium:
@@ -188,7 +191,8 @@ def add_medium(
 
     source: a file of refractiveindex.info (`.yml`), a `.csv` with columns `wavelength_nm`, `n` and
     perhaps `k`, or a pair of arrays (N,): wavelengths in nm, ascending, and n + ik. references:
-    citation, where the file has none. replace: as in add(). Raises NacreError as add() does, and with
+    citation, where the file has none. replace: as in add(). What is put right in a file is in
+    `changes` and, of a table, in `comments`. Raises NacreError as add() does, and with
     all that is wrong with a file, each with its line; OSError where there is no file.
     """
     if isinstance(source, tuple):

@@ -202,9 +202,11 @@ nacre_status nacre_library_add_medium(const char* key, const char* text, size_t 
         capi::require(key, "key");
         capi::require(file, "file");
         const std::string citation = capi::text_or_empty(references);
+        std::vector<std::string> changes;  // the entry has them: nacre_library_words_of()
         (void)spectral::save_user_entries(
             {{spectral::EntryKind::medium, key,
-              spectral::refractiveindex_yaml_of_file(capi::text_of(text, bytes), file, citation)}},
+              spectral::refractiveindex_yaml_of_file(capi::text_of(text, bytes), file, citation,
+                                                     changes)}},
             replace != 0);
     });
 }

@@ -19,6 +19,7 @@ Medium load_medium(std::string_view key, const EntrySource& source)
                 .comments = key == "air" ? "Taken as vacuum; air has n = 1.0003." : "",
                 .formula = {},
                 .tags = {"gas"},
+                .changes = {},
                 .constants = constant_index(1.0)};
     if (!source.own)  // entry_source() found the resource
         return parse_refractiveindex_yaml(

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "nacre/core/limits.h"
-#include "nacre/spectral/optical_constants.h"
 #include "nacre/spectral/spectrum_files.h"
 #include "support/expect.h"
 
@@ -415,74 +414,6 @@ TEST(Texts, ComeAsUtf8OnOneLine)
     const auto spectra = read_csv_spectra(
         "# NAME: caf\xC3\xA9 caf\xE9 \xC0\xAF \xED\xA0\x80\x01z\n400,1\n500,1\n", "x.csv");
     EXPECT_EQ(spectra[0].name, "café caf? ?? ??? z");
-}
-
-TEST(CsvMedium, BecomesOpticalConstants)
-{
-    const std::string yaml = refractiveindex_yaml_from_csv(
-        "# NAME: My \"oil\"\nwavelength_nm,n,k\n400,1.5,0\n700,1.4,0.25\n", "oil.csv",
-        "me \\ 2020");
-    const Medium medium = parse_refractiveindex_yaml(yaml, "oil");
-    EXPECT_EQ(medium.name, "My \"oil\"");
-    EXPECT_EQ(medium.references, "me \\ 2020");
-    EXPECT_COMPLEX_NEAR(medium.constants->at(700), Complex(1.4, 0.25), 1e-15);
-    EXPECT_COMPLEX_NEAR(medium.constants->at(550), Complex(1.45, 0.125), 1e-12);
-}
-
-TEST(CsvMedium, ReadsWhatRefractiveindexInfoExports)
-{
-    const auto index = [](const char* text) {
-        return parse_refractiveindex_yaml(refractiveindex_yaml_from_csv(text, "x.csv", ""), "x")
-            .constants->at(500);
-    };
-    EXPECT_COMPLEX_NEAR(index("wl,n\n0.4,1.5\n0.5,1.4\n"), Complex(1.4, 0), 1e-15);
-    EXPECT_COMPLEX_NEAR(index("wl,n\n0.4,1.5\n0.5,1.4\n\nwl,k\n0.4,1\n0.5,2\n"), Complex(1.4, 2),
-                        1e-15);
-    EXPECT_INPUT_ERROR((void)index("wl,n\n0.4,1.5\n0.5,1.4\nwl,k\n0.4,1\n0.6,2\n"),
-                       "x.csv:4: must have the wavelengths of the table before");
-}
-
-TEST(CsvMedium, NamesEveryProblemWithItsLine)
-{
-    EXPECT_EQ(test::input_error_of([] {
-                  (void)refractiveindex_yaml_from_csv("nm,n,k\n400,0,1\n500,1,-1\n", "x.csv", "");
-              }),
-              "x.csv:2: n: must be > 0 (got 0)\nx.csv:3: k: must be ≥ 0 (got -1)");
-    EXPECT_INPUT_ERROR((void)refractiveindex_yaml_from_csv("400,1\n500,1\n", "x.csv", ""),
-                       "must have a row of names with a column n");
-}
-
-TEST(MediumFromSpd, StandsAtTheWavelengthsOfBothFiles)
-{
-    const std::string yaml =
-        refractiveindex_yaml_from_spd("# n\n300 1.5\n400 0.5\n700 1.1\n", "Au.eta.spd",
-                                      "350 2\n400 3\n600 4\n800 6\n", "Au.k.spd", "A \"book\"");
-    const Medium gold = parse_refractiveindex_yaml(yaml, "gold");
-    EXPECT_EQ(gold.references, "A \"book\"");
-    EXPECT_EQ(gold.constants->range_nm(), (std::array<double, 2>{350, 700}));
-    EXPECT_COMPLEX_NEAR(gold.constants->at(350), Complex(1.0, 2.0), 1e-12);
-    EXPECT_COMPLEX_NEAR(gold.constants->at(400), Complex(0.5, 3.0), 1e-12);
-    EXPECT_COMPLEX_NEAR(gold.constants->at(600), Complex(0.9, 4.0), 1e-12);
-    EXPECT_COMPLEX_NEAR(gold.constants->at(700), Complex(1.1, 5.0), 1e-12);
-}
-
-TEST(MediumFromSpd, NamesWhatIsWrongWithEitherFile)
-{
-    const auto read = [](const char* n, const char* k) {
-        return test::input_error_of(
-            [&] { (void)refractiveindex_yaml_from_spd(n, "a.eta.spd", k, "a.k.spd", ""); });
-    };
-    const std::string both = read("400 x\n500 1\n", "400\n");
-    EXPECT_NE(both.find("a.eta.spd:1: value: must be a finite number"), std::string::npos) << both;
-    EXPECT_NE(both.find("a.k.spd:1: must be a wavelength and a value"), std::string::npos) << both;
-    const std::string signs = read("400 0\n500 1\n", "400 1\n500 -1\n");
-    EXPECT_NE(signs.find("a.eta.spd: n: must be > 0 (got 0 at 400 nm)"), std::string::npos)
-        << signs;
-    EXPECT_NE(signs.find("a.k.spd: k: must be ≥ 0 (got -1 at 500 nm)"), std::string::npos) << signs;
-    EXPECT_NE(
-        read("400 1\n500 1\n", "600 1\n700 1\n")
-            .find("a.k.spd: wavelength: must overlap 400 … 500 nm of a.eta.spd (got 600 … 700)"),
-        std::string::npos);
 }
 
 }  // namespace
