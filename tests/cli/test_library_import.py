@@ -189,6 +189,25 @@ def test_per_cent_is_not_taken_for_ratios(nacre, tmp_path, own_library):
     nacre.ok("bake", "spectra", lamp, "--kind", "emission", "-o", out)
 
 
+def test_a_table_as_a_spreadsheet_saves_it(nacre, tmp_path):
+    table = tmp_path / "Messung 1.txt"
+    table.write_text(
+        "λ (nm);Weiß R (%);Schwarz R (%);\n700;96,5;1,7;\n400;91;1,2;\n;;;\n", "utf-16"
+    )
+    nacre.ok("library", "import", table, "--kind", "reflectance", "--as", "sheet")
+    (white, black) = json.loads(nacre.ok("library", "list", "sheet", "--kind", "spectra", "--json"))
+    assert {white["name"], black["name"]} == {"Weiß R", "Schwarz R"}
+    dark = next(entry["key"] for entry in (white, black) if entry["name"] == "Schwarz R")
+    assert spectrum(nacre, dark)["wavelength_nm"] == [400, 700]
+    assert spectrum(nacre, dark)["values"] == pytest.approx([0.012, 0.017])
+
+    energies = write(tmp_path, "e.csv", "Energy (eV),n,k\n1.5,1.5,0\n3.5,1.4,0.5\n")
+    errors = nacre.fails("library", "import", energies, "--kind", "medium")
+    assert f"{energies}:1: wavelength: the first column must be numbers, or be called" in errors
+    assert "(got 'Energy (eV)')" in errors
+    assert len(errors.splitlines()) == 1
+
+
 def files(folder):
     return [path for path in folder.rglob("*") if path.is_file()]
 

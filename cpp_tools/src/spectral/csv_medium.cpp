@@ -23,8 +23,8 @@ Columns find_columns(const NumberTables& read, const std::string& file)
     Columns columns;
     for (const NumberTable& table : read.tables) {
         for (std::size_t i = 0; i < table.names.size(); ++i) {
-            if (table.names[i] == "n") columns.n = &table.columns[i];
-            if (table.names[i] == "k") columns.k = &table.columns[i];
+            if (same_letters(table.names[i], "n")) columns.n = &table.columns[i];
+            if (same_letters(table.names[i], "k")) columns.k = &table.columns[i];
         }
         if (columns.first && table.wavelengths_nm != columns.first->wavelengths_nm)
             throw InputError(

@@ -140,7 +140,9 @@ std::vector<NamedSpectrum> read_format(std::string_view text, std::string_view f
 std::vector<NamedSpectrum> read_spectra(std::string_view text, std::string_view file,
                                         const ReadAs& said)
 {
-    std::vector<NamedSpectrum> spectra = read_format(text, file);
+    check_size(text, std::string(file));
+    const std::string decoded = utf8_of_utf16(text);
+    std::vector<NamedSpectrum> spectra = read_format(decoded.empty() ? text : decoded, file);
     apply(said, spectra, std::string(file));
     return spectra;
 }
