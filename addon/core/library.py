@@ -31,7 +31,7 @@ class Library:
     def __init__(self, root: Path):
         self.root = root
         self._entries: dict[str, Entry] | None = None
-        self._stamp = self._times()
+        self._stamp = self._stamps()
 
     @classmethod
     def default(cls) -> Library:
@@ -39,7 +39,7 @@ class Library:
         bundled = Path(__file__).resolve().parent.parent / "materials"
         root = Path(os.environ.get(ENVIRONMENT) or bundled)
         kept = Library._default
-        if kept is None or kept.root != root or kept._times() != kept._stamp:
+        if kept is None or kept.root != root or kept._stamps() != kept._stamp:
             kept = Library._default = cls(root)
         return kept
 
@@ -57,15 +57,22 @@ class Library:
             raise ManifestError(f"unknown material {material_id!r}; there are: {known}")
         return load_folder(self.root / material_id)
 
-    def _times(self) -> dict[str, int]:
-        """When each manifest was last written."""
-        times = {}
+    def _stamps(self) -> dict[str, tuple[int, ...]]:
+        """What tells each manifest from one that takes its place: its time alone does not, an archive
+        may bring an old one along."""
+        stamps = {}
         for folder in self._folders():
             try:
-                times[folder.name] = _manifest(folder).stat().st_mtime_ns
+                status = _manifest(folder).stat()
             except OSError:
                 continue
-        return times
+            stamps[folder.name] = (
+                status.st_ino,
+                status.st_size,
+                status.st_mtime_ns,
+                status.st_ctime_ns,
+            )
+        return stamps
 
     def _folders(self) -> list[Path]:
         return sorted(path for path in self.root.glob("*") if path.is_dir())

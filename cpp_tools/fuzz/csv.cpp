@@ -9,7 +9,8 @@ using namespace nacre;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     (void)fuzz::run(data, size, [](std::string_view text) {
-        (void)spectral::refractiveindex_yaml_from_csv(text, "input.csv", "");
+        std::vector<std::string> changes;
+        (void)spectral::refractiveindex_yaml_from_csv(text, "input.csv", "", changes);
     });
     return fuzz::run(data, size, [](std::string_view text) {
         auto spectra = spectral::read_csv_spectra(text, "input.csv");

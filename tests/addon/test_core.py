@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import os
 import shutil
 
 import numpy as np
@@ -137,6 +138,19 @@ def test_library_lists_what_it_can_read(tmp_path):
     assert list(library.entries()) == ["test_grating"]
     with pytest.raises(ManifestError, match="unknown material 'soap'; there are: test_grating"):
         library.load("soap")
+
+
+def test_library_sees_a_manifest_of_another_content_and_the_same_time(tmp_path, monkeypatch):
+    folder = shutil.copytree(FIXTURES / "test_film", tmp_path / "test_film")
+    monkeypatch.setenv("NACRE_MATERIALS", str(tmp_path))
+    data = json.loads((folder / "test_film.json").read_text())
+    before = (folder / "test_film.json").stat()
+    for name in ("Other", "Third", "Again"):  # as long as each other
+        unpacked = folder / "test_film.json.new"
+        unpacked.write_text(json.dumps({**data, "name": name}))
+        os.utime(unpacked, ns=(before.st_atime_ns, before.st_mtime_ns))
+        unpacked.rename(folder / "test_film.json")
+        assert Library.default().entries()["test_film"].name == name
 
 
 def test_parameters_of_a_compiled_shader():

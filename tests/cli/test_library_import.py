@@ -8,6 +8,8 @@ import json
 
 import pytest
 
+from support.paths import OPTICAL_CONSTANTS
+
 SPD = "# lamp\n400 0.5\n500 1\n600 0.25\n"
 SPDX = """\
 <IESTM2714 version="1.0"><Header><Manufacturer>Maker</Manufacturer></Header>
@@ -80,6 +82,33 @@ def test_optical_constants(nacre, tmp_path, own_library):
     nacre.ok("library", "check", write(tmp_path, "film.json", json.dumps(film)))
 
 
+def test_constants_as_refractiveindex_info_has_them(nacre, tmp_path):
+    """Magnetite by Querry comes with Nacre, rows sorted; here they stand as in the database."""
+    text = (OPTICAL_CONSTANTS / "Fe3O4" / "Querry.yml").read_text()
+    ours, theirs = "        2.8902 ", "        2.8918 "
+    first, second = (
+        next(li for li in text.splitlines() if li.startswith(w)) for w in (ours, theirs)
+    )
+    swapped = text.replace(f"{first}\n{second}", f"{second}\n{first}")
+    assert swapped != text
+    path = write(tmp_path, "Querry.yml", swapped)
+    change = "changed: DATA[0].data: sorted by wavelength (1 row, the first in line "
+    for command in (("check",), ("import",)):
+        done = nacre("library", *command, path)
+        assert (done.returncode, f"{path}: " in done.stderr) == (0, True), done.stderr
+        assert "sorted by wavelength (1 row, the first in line" in done.stderr
+    assert change in nacre.ok("library", "show", "user/Querry")
+    at = ("--at", "550", "--at", "2891", "--json")
+    mended, shipped = (
+        json.loads(nacre.ok("library", "show", key, *at)) for key in ("user/Querry", "Fe3O4/Querry")
+    )
+    assert mended["at"] == shipped["at"]
+    assert len(mended["changes"]) == 1
+    assert shipped["changes"] == []
+    assert "sorted" in nacre("bake", "material", path, "-o", tmp_path / "m.csv").stderr
+    assert nacre("--quiet", "library", "check", path).stderr == ""
+
+
 ETA = "300 1.5\n400 0.5\n700 1.1\n"
 K = "350 2\n600 4\n800 6\n"
 
@@ -115,7 +144,7 @@ def test_half_a_metal_is_refused(nacre, tmp_path, own_library):
 def test_citation_licence_scale_and_replace(nacre, tmp_path):
     path = write(tmp_path, "p.csv", "400,50\n700,25\n")
     arguments = ("library", "import", path, "--kind", "reflectance", "--as", "p")
-    assert "--scale multiplies" in nacre.fails(*arguments)
+    assert "must be ratios or per cent" in nacre.fails(*arguments)
     nacre.ok(*arguments, "--scale", "0.01", "--citation", "me", "--licence", "CC0 1.0")
     shown = spectrum(nacre, "p")
     assert (shown["references"], shown["licence"]) == ("me", "CC0 1.0")
@@ -123,6 +152,60 @@ def test_citation_licence_scale_and_replace(nacre, tmp_path):
     assert "p: is there already" in nacre.fails(*arguments, "--scale", "0.02")
     nacre.ok(*arguments, "--scale", "0.02", "--replace")
     assert spectrum(nacre, "p")["values"] == [1, 0.5]
+
+
+BLACK = """\
+CGATS.17
+BEGIN_DATA_FORMAT
+SAMPLE_NAME SPECTRAL_NM400 SPECTRAL_NM550 SPECTRAL_NM700
+END_DATA_FORMAT
+BEGIN_DATA
+black 1.2 1.45 1.7
+END_DATA
+"""
+
+
+def test_per_cent_is_not_taken_for_ratios(nacre, tmp_path, own_library):
+    chart = write(tmp_path, "black.txt", BLACK)
+    arguments = ("library", "import", chart, "--as", "black")
+    errors = nacre.fails(*arguments)
+    assert f"{chart}: black: must be ratios or per cent" in errors
+    assert "(got 1.2 … 1.7): give a scale, 0.01 for per cent" in errors
+    # Nothing reflects more than all light at every wavelength.
+    assert "must be ≤ 1 somewhere" in nacre.fails(*arguments, "--scale", "1")
+    assert not own_library.exists()
+    nacre.ok(*arguments, "--scale", "0.01")
+    assert spectrum(nacre, "black")["values"] == pytest.approx([0.012, 0.0145, 0.017])
+
+    bake = ("bake", "spectra", chart, "-o", tmp_path / "black.csv")
+    assert "black: must be ratios or per cent" in nacre.fails(*bake)
+    nacre.ok(*bake, "--scale", "0.01")
+    lamp = write(tmp_path, "lamp.spd", "400 1.2\n700 1.7\n")
+    out = tmp_path / "x.csv"
+    assert "per cent" in nacre.fails("bake", "spectra", lamp, "--kind", "reflectance", "-o", out)
+    assert "per cent" in nacre.fails(
+        "bake", "material", "air", "--intensity", lamp, "-o", tmp_path / "m.csv"
+    )
+    nacre.ok("bake", "spectra", lamp, "--kind", "emission", "-o", out)
+
+
+def test_a_table_as_a_spreadsheet_saves_it(nacre, tmp_path):
+    table = tmp_path / "Messung 1.txt"
+    table.write_text(
+        "λ (nm);Weiß R (%);Schwarz R (%);\n700;96,5;1,7;\n400;91;1,2;\n;;;\n", "utf-16"
+    )
+    nacre.ok("library", "import", table, "--kind", "reflectance", "--as", "sheet")
+    (white, black) = json.loads(nacre.ok("library", "list", "sheet", "--kind", "spectra", "--json"))
+    assert {white["name"], black["name"]} == {"Weiß R", "Schwarz R"}
+    dark = next(entry["key"] for entry in (white, black) if entry["name"] == "Schwarz R")
+    assert spectrum(nacre, dark)["wavelength_nm"] == [400, 700]
+    assert spectrum(nacre, dark)["values"] == pytest.approx([0.012, 0.017])
+
+    energies = write(tmp_path, "e.csv", "Energy (eV),n,k\n1.5,1.5,0\n3.5,1.4,0.5\n")
+    errors = nacre.fails("library", "import", energies, "--kind", "medium")
+    assert f"{energies}:1: wavelength: the first column must be numbers, or be called" in errors
+    assert "(got 'Energy (eV)')" in errors
+    assert len(errors.splitlines()) == 1
 
 
 def files(folder):

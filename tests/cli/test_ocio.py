@@ -141,3 +141,14 @@ def test_config_of_blender_5(nacre):
         assert result.stdout == ""
         assert f"{config}: cannot be used as a colour config by OpenColorIO" in result.stderr
         assert "2.5" in result.stderr
+
+
+def test_a_uri_is_no_missing_file(nacre):
+    """A config inside OpenColorIO is used where it has some, from 2.2 on, or else said to be one."""
+    done = nacre("eval", "spectrum", "--config", "ocio://default", stdin='[{"illuminant": "D65"}]')
+    if done.returncode != 0:
+        assert "ocio://default: --config: is a config that OpenColorIO 2.2 and" in done.stderr
+    assert "no such file" not in done.stderr
+    for command in (("library", "check"), ("library", "import"), ("info",)):
+        errors = nacre.fails(*command, "https://example.org/glass.yml")
+        assert "https://example.org/glass.yml: must be a file; this is a URI" in errors

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import os
+
 import numpy as np
 import pytest
 
@@ -71,6 +73,21 @@ def test_files_that_are_wrong_say_where(tmp_path):
         nacre.library.read(tmp_path / "nowhere.csv")
 
 
+def test_per_cent_is_stated(tmp_path):
+    file = tmp_path / "black.cgats"
+    file.write_text(CGATS.replace("0.1 0.2 0.3", "1.2 0.9 1.7"))
+    with pytest.raises(nacre.NacreError, match=r"A1: must be ratios or per cent.*scale="):
+        nacre.library.read(file)
+    assert nacre.library.read(file, scale=0.01)[0].values == pytest.approx([0.012, 0.009, 0.017])
+    assert nacre.library.read(file, scale=1)[0].values.tolist() == [1.2, 0.9, 1.7]
+    assert nacre.library.read(file, kind="emission")[0].kind == "emission"
+    for wrong in (0, -1, float("nan"), float("inf")):
+        with pytest.raises(nacre.NacreError, match="scale: must be finite and > 0"):
+            nacre.library.read(file, scale=wrong)
+    with pytest.raises(nacre.NacreError, match="kind: must be emission or reflectance"):
+        nacre.library.read(file, kind="colour")
+
+
 def test_a_spectrum_comes_back_as_it_was(own):
     given = lamp()
     nacre.library.add(given)
@@ -118,6 +135,17 @@ def test_replacing_must_be_asked_for(own):
     assert "Other" in file.read_text()
 
 
+def test_a_file_of_the_same_size_and_time_is_another_one(own):
+    nacre.library.add(lamp(key="python/again", values=np.array([1.0, 2.0])))
+    file = own / "spectra" / "python" / "again.csv"
+    before = file.stat()
+    for value in range(2, 10):
+        file.write_text(file.read_text().replace(f"400,{value - 1}", f"400,{value}"))
+        os.utime(file, ns=(before.st_atime_ns, before.st_mtime_ns))
+        assert file.stat().st_size == before.st_size
+        assert nacre.library.spectrum("python/again").values[0] == value
+
+
 def test_media_from_arrays_and_files(tmp_path, own):
     nm = np.array([400.0, 550.0, 700.0])
     n = np.array([1.5 + 0.1j, 1.45 + 1e-7j, 1.4])
@@ -129,6 +157,17 @@ def test_media_from_arrays_and_files(tmp_path, own):
     glass = nacre.library.add_medium("python/glass", tmp_path / "glass.yml", references="me")
     assert glass.index(500.0) == pytest.approx(1.5 + 0.004 / 0.25)
     assert glass.references == "me"
+
+    (tmp_path / "loop.yml").write_text(
+        "DATA:\n  - type: tabulated nk\n    data: |\n        0.7 1.4 0\n        0.4 1.5 -1e-17\n"
+    )
+    loop = nacre.library.add_medium("python/loop", tmp_path / "loop.yml")
+    assert [change.split(" (")[0] for change in loop.changes] == [
+        "DATA[0].data: sorted by wavelength",
+        "DATA[0].data: k < 0 taken as 0",
+    ]
+    assert loop.index(400.0) == 1.5
+    assert film.changes == ()
 
     with pytest.raises(nacre.NacreError, match="is there already"):
         nacre.library.add_medium("python/film", (nm, n))

@@ -19,6 +19,7 @@ PACKAGE = ROOT / "cpp_tools" / "python"
 TEMPLATES = ROOT / "osl" / "templates"
 RELEASE = ROOT / "build" / "release"
 # Compiled materials that are small, and stay as they are.
+OPTICAL_CONSTANTS = ROOT / "cpp_tools" / "data" / "optical_constants"
 FIXTURES = ROOT / "tests" / "addon" / "fixtures"
 STAGE_EXTENSION = ROOT / "cpp_tools" / "generators" / "stage_extension.py"
 

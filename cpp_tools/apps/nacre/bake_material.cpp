@@ -63,17 +63,23 @@ each light.
 
   nacre bake lights D65 A F11 lamp/hps -o lights.exr)";
 
-Medium read_medium(const std::string& input)
+Medium read_medium(const Session& session, const std::string& input)
 {
     const std::string extension = std::filesystem::path(input).extension().string();
-    if (extension == ".yml" || extension == ".yaml")
-        return spectral::parse_refractiveindex_yaml(read_text(input), input);
+    if (extension == ".yml" || extension == ".yaml") {
+        Medium medium = spectral::parse_refractiveindex_yaml(read_text(input), input);
+        for (const std::string& change : medium.changes)
+            session.note(fmt::format("{}: changed: {}", input, change));
+        return medium;
+    }
     return spectral::library_medium(input);
 }
 
 NamedSpectrum read_one(const std::string& input)
 {
     auto spectra = read_spectra_input(input);
+    if (spectra.size() == 1 && !spectra.front().kind)
+        apply({.kind = SpectrumKind::reflectance, .scale = {}}, spectra, input);
     if (spectra.size() != 1)
         throw InputError({input, 0, "--intensity",
                           fmt::format("must hold one spectrum (got {})", spectra.size())});
@@ -152,11 +158,12 @@ struct Materials {
     std::vector<std::string> names, references;
 };
 
-Materials read_materials(const MaterialOptions& options, const spectral::ColourWeights& weights)
+Materials read_materials(const Session& session, const MaterialOptions& options,
+                         const spectral::ColourWeights& weights)
 {
     Materials all;
     for (std::size_t i = 0; i < options.inputs.size(); ++i) {
-        const Medium medium = read_medium(options.inputs[i]);
+        const Medium medium = read_medium(session, options.inputs[i]);
         MaterialSpectra row = material_spectra(medium, weights);
         if (!options.intensities.empty()) {
             row.intensity = texture_samples(read_one(options.intensities[i]));
@@ -214,9 +221,10 @@ int bake_material(const Session& session, const MaterialOptions& options)
     check_options(options);
     const ResolvedTableOptions light = resolve(options.light);
     const TableProvenance& provenance = light.provenance;
-    Materials materials = read_materials(
-        options, reflectance_weights(spectral::named_illuminant(provenance.illuminant),
-                                     provenance.observer, provenance.space));
+    Materials materials =
+        read_materials(session, options,
+                       reflectance_weights(spectral::named_illuminant(provenance.illuminant),
+                                           provenance.observer, provenance.space));
     if (is_csv(options.output)) return write_csv(options, materials.spectra);
     const Encoding encoding = encoding_for(options.output, options.depth);
     const bool bytes = encoding.depth == Depth::byte;

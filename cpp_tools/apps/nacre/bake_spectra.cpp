@@ -28,6 +28,7 @@ using spectral::TextureSamples;
 struct SpectraOptions {
     std::vector<std::string> inputs;
     std::string output, depth, layout = "packed", maximum = "spectrum", kind;
+    std::optional<double> scale;
     int columns = 1;
 
     [[nodiscard]] std::size_t column_count() const { return static_cast<std::size_t>(columns); }
@@ -50,14 +51,13 @@ which nacre:maximum gives. nacre info FILE --spectra back.csv reads all of them 
 
 std::vector<NamedSpectrum> read_inputs(const SpectraOptions& options)
 {
+    const spectral::ReadAs said = read_as(options.kind, options.scale);
     std::vector<NamedSpectrum> spectra;
     DiagnosticList problems;
     for (const std::string& input : options.inputs) {
         try {
-            for (NamedSpectrum& spectrum : read_spectra_input(input)) {
-                if (!options.kind.empty())
-                    spectrum.kind = options.kind == "emission" ? SpectrumKind::emission
-                                                               : SpectrumKind::reflectance;
+            for (NamedSpectrum& spectrum : read_spectra_input(input, said)) {
+                if (said.kind) spectrum.kind = said.kind;
                 spectra.push_back(std::move(spectrum));
             }
         } catch (const InputError& error) {
@@ -222,6 +222,7 @@ void add_bake_spectra(CLI::App& bake_command, Session& session)
         ->capture_default_str();
     spectra->add_option("--kind", options->kind, "of all, where a file does not tell")
         ->check(CLI::IsMember({"emission", "reflectance"}));
+    spectra->add_option("--scale", options->scale, kScaleHelp);
     spectra->callback([&session, options] {
         session.run = [&session, options] { return bake(session, *options); };
     });

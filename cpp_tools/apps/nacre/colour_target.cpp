@@ -65,9 +65,24 @@ std::string first_line(const char* text)
     return std::string(view.substr(0, view.find('\n')));
 }
 
+/// @throws InputError where OpenColorIO has no configs inside, as it has from 2.2 on
+void check_built_in_configs(const std::string& uri)
+{
+    constexpr int kFirst = 0x02020000;
+    if (OCIO::GetVersionHex() >= kFirst) return;
+    throw InputError(
+        {uri, 0, "--config",
+         fmt::format("is a config that OpenColorIO 2.2 and later have inside, and this "
+                     "tool has OpenColorIO {}: give a config.ocio file",
+                     OCIO::GetVersion())});
+}
+
 OCIO::ConstConfigRcPtr load_config(const std::string& file)
 {
-    (void)read_text(file);  // a missing file gets the message that every missing file gets
+    if (file.starts_with("ocio://"))
+        check_built_in_configs(file);
+    else
+        (void)read_text(file);  // a missing file gets the message that every missing file gets
     OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
     try {
         OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(file.c_str());

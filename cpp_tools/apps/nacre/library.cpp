@@ -26,11 +26,12 @@ struct CheckOptions {
 };
 
 /// @throws InputError with what is wrong with a file of optical constants or a template
-void check_file(const std::string& file)
+/// @return what is put right when it is read
+std::vector<std::string> check_file(const std::string& file)
 {
     const std::string extension = std::filesystem::path(file).extension().string();
     if (extension == ".yml" || extension == ".yaml") {
-        (void)spectral::parse_refractiveindex_yaml(read_text(file), file);
+        return spectral::parse_refractiveindex_yaml(read_text(file), file).changes;
     } else if (extension == ".csv") {
         (void)spectral::read_library_spectrum(read_text(file), file);
     } else if (extension == ".toml" || extension == ".json") {
@@ -45,6 +46,7 @@ void check_file(const std::string& file)
             {file, 0, "",
              "must be optical constants (.yml), a spectrum (.csv) or a template (.toml, .json)"});
     }
+    return {};
 }
 
 int check_files(const Session& session, const CheckOptions& options)
@@ -52,7 +54,8 @@ int check_files(const Session& session, const CheckOptions& options)
     DiagnosticList problems;
     for (const std::string& file : options.files) {
         try {
-            check_file(file);
+            for (const std::string& change : check_file(file))
+                session.note(fmt::format("{}: changed: {}", file, change));
             session.detail(file + ": ok");
         } catch (const InputError& error) {
             for (const Diagnostic& diagnostic : error.diagnostics()) problems.add(diagnostic);

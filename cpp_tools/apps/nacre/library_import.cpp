@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <set>
@@ -31,10 +30,13 @@ using spectral::UserEntry;
 struct ImportOptions {
     std::vector<std::string> files;
     std::string key, kind, citation, licence;
-    double scale = 1.0;
+    std::optional<double> scale;
     bool replace = false;
     bool alone = true;  ///< one source, whose key may be given
 };
+
+/// What was put right, each with its file.
+using Changes = std::vector<std::string>;
 
 /// One file, or two of one medium.
 struct Source {
@@ -98,26 +100,24 @@ std::string key_of_file(const ImportOptions& options, const std::string& file)
                        part.empty() ? "entry" : part);
 }
 
-UserEntry read_medium(const ImportOptions& options, const std::string& file)
+UserEntry read_medium(const ImportOptions& options, const std::string& file, Changes& changes)
 {
-    return {EntryKind::medium, key_of_file(options, file),
-            spectral::refractiveindex_yaml_of_file(read_text(file), file, options.citation)};
+    std::vector<std::string> made;
+    UserEntry entry{
+        EntryKind::medium, key_of_file(options, file),
+        spectral::refractiveindex_yaml_of_file(read_text(file), file, options.citation, made)};
+    for (const std::string& change : made) changes.push_back(fmt::format("{}: {}", file, change));
+    return entry;
 }
 
 NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
                         const std::string& file)
 {
-    if (!options.kind.empty())
-        spectrum.kind =
-            options.kind == "emission" ? SpectrumKind::emission : SpectrumKind::reflectance;
     if (!spectrum.kind)
         throw InputError(
             {file, 0, "--kind", "must be emission or reflectance: the file does not tell"});
     if (!options.citation.empty()) spectrum.references = options.citation;
     if (!options.licence.empty()) spectrum.licence = options.licence;
-    std::vector<double> values = spectrum.samples.values();
-    for (double& value : values) value *= options.scale;
-    spectrum.samples = {spectrum.samples.wavelengths_nm(), std::move(values)};
     if (auto problem = spectral::kind_problem(spectrum.samples, *spectrum.kind))
         throw InputError({file, 0, spectrum.name,
                           *problem + "; --scale multiplies the values, by 0.01 for per cent"});
@@ -126,7 +126,8 @@ NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
 
 std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::string& file)
 {
-    std::vector<NamedSpectrum> spectra = read_spectra_file(file);
+    std::vector<NamedSpectrum> spectra =
+        read_spectra_file(file, {}, read_as(options.kind, options.scale));
     const std::string folder = key_of_file(options, file);
     std::vector<UserEntry> entries;
     std::set<std::string> parts;
@@ -154,17 +155,19 @@ std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::str
     return entries;
 }
 
-UserEntry read_pair(const ImportOptions& options, const Source& pair)
+UserEntry read_pair(const ImportOptions& options, const Source& pair, Changes& changes)
 {
-    std::string text = spectral::refractiveindex_yaml_from_spd(
-        read_text(pair.file), pair.file, read_text(pair.k_file), pair.k_file, options.citation);
+    std::string text = spectral::refractiveindex_yaml_from_spd(read_text(pair.file), pair.file,
+                                                               read_text(pair.k_file), pair.k_file,
+                                                               options.citation, changes);
     const std::string metal = pair.k_file.substr(0, pair.k_file.size() - kK.size());
     return {EntryKind::medium, key_of_file(options, metal + ".spd"), std::move(text)};
 }
 
-std::vector<UserEntry> read_source(const ImportOptions& options, const Source& source)
+std::vector<UserEntry> read_source(const ImportOptions& options, const Source& source,
+                                   Changes& changes)
 {
-    if (!source.k_file.empty()) return {read_pair(options, source)};
+    if (!source.k_file.empty()) return {read_pair(options, source, changes)};
     const std::string& file = source.file;
     const std::string extension = std::filesystem::path(file).extension().string();
     const bool yaml = extension == ".yml" || extension == ".yaml";
@@ -175,22 +178,20 @@ std::vector<UserEntry> read_source(const ImportOptions& options, const Source& s
             {file, 0, "--kind",
              "must be emission or reflectance for an image; optical constants are read "
              "from .yml, .csv or a pair of .spd"});
-    if (yaml || options.kind == "medium") return {read_medium(options, file)};
+    if (yaml || options.kind == "medium") return {read_medium(options, file, changes)};
     return read_spectra(options, file);
 }
 
 int import_files(const Session& session, ImportOptions options)
 {
-    if (!std::isfinite(options.scale) || !(options.scale > 0.0))
-        throw InputError(
-            {{}, 0, "--scale", fmt::format("must be finite and > 0 (got {:g})", options.scale)});
     std::vector<UserEntry> entries;
     DiagnosticList problems;
+    Changes changes;
     const std::vector<Source> sources = sources_of(options);
     options.alone = sources.size() == 1;
     for (const Source& source : sources) {
         try {
-            for (UserEntry& entry : read_source(options, source))
+            for (UserEntry& entry : read_source(options, source, changes))
                 entries.push_back(std::move(entry));
         } catch (const InputError& error) {
             for (const Diagnostic& diagnostic : error.diagnostics()) problems.add(diagnostic);
@@ -198,6 +199,7 @@ int import_files(const Session& session, ImportOptions options)
     }
     problems.throw_if_any();
     const auto files = spectral::save_user_entries(entries, options.replace);
+    for (const std::string& change : changes) session.note("changed: " + change);
     ordered_json list = ordered_json::array();
     std::string text;
     for (std::size_t i = 0; i < entries.size(); ++i) {
@@ -237,8 +239,7 @@ void add_library_import(CLI::App& library, Session& session)
         ->check(CLI::IsMember({"medium", "reflectance", "emission"}));
     command->add_option("--citation", options->citation, "where the data are from");
     command->add_option("--licence", options->licence, "on what terms they may be used");
-    command->add_option("--scale", options->scale, "multiplies the values of spectra")
-        ->capture_default_str();
+    command->add_option("--scale", options->scale, kScaleHelp);
     command->add_flag("--replace", options->replace,
                       "take the place of your own entry of that key");
     command->callback([&session, options] {

@@ -55,6 +55,7 @@ int show_medium(const Session& session, const ShowOptions& options)
             {"range_nm", bounded ? ordered_json{first, last} : ordered_json()},
             {"references", medium.references},
             {"comments", medium.comments},
+            {"changes", medium.changes},
             {"at", std::move(at)}};
         write_text_output("", result.dump(2) + "\n");
         return kExitOk;
@@ -64,7 +65,8 @@ int show_medium(const Session& session, const ShowOptions& options)
                         bounded ? fmt::format("{:g} … {:g} nm", first, last) : "any wavelength") +
                 line("formula", medium.formula) +
                 line("tags", fmt::format("{}", fmt::join(medium.tags, ", "))) +
-                line("references", medium.references) + line("comments", medium.comments) + values);
+                line("references", medium.references) + line("comments", medium.comments) +
+                line("changed", fmt::format("{}", fmt::join(medium.changes, "; "))) + values);
     return kExitOk;
 }
 

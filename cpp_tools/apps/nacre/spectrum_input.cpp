@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -31,7 +32,19 @@ NamedSpectrum named_spectrum(std::string name, double first_nm, std::vector<doub
             .comments = {},
             .tags = {},
             .kind = kind,
-            .samples = {std::move(wavelengths), std::move(values)}};
+            .samples = {std::move(wavelengths), std::move(values)},
+            .unit_stated = true};
+}
+
+spectral::ReadAs read_as(const std::string& kind, std::optional<double> scale)
+{
+    if (scale && !(std::isfinite(*scale) && *scale > 0.0))
+        throw InputError(
+            {{}, 0, "--scale", fmt::format("must be finite and > 0 (got {:g})", *scale)});
+    spectral::ReadAs said{.kind = {}, .scale = scale};
+    for (const SpectrumKind known : {SpectrumKind::emission, SpectrumKind::reflectance})
+        if (kind == spectrum_kind_name(known)) said.kind = known;
+    return said;
 }
 
 bool is_texture_file(const std::string& file)
@@ -42,12 +55,16 @@ bool is_texture_file(const std::string& file)
 }
 
 std::vector<NamedSpectrum> read_spectra_file(const std::string& file,
-                                             const std::vector<Pixel>& pixels)
+                                             const std::vector<Pixel>& pixels,
+                                             const spectral::ReadAs& said)
 {
-    if (is_texture_file(file))
-        return spectra_of_image(read_image(file, AlphaMeaning::number), file, pixels);
+    if (is_texture_file(file)) {
+        auto spectra = spectra_of_image(read_image(file, AlphaMeaning::number), file, pixels);
+        apply(said, spectra, file);
+        return spectra;
+    }
     if (!pixels.empty()) throw InputError({file, 0, "--pixel", "belongs to a spectral image"});
-    return spectral::read_spectra(read_text(file), file);
+    return spectral::read_spectra(read_text(file), file, said);
 }
 
 namespace {
@@ -60,10 +77,11 @@ bool has_key(const std::string& key)
 
 }  // namespace
 
-std::vector<NamedSpectrum> read_spectra_input(const std::string& input)
+std::vector<NamedSpectrum> read_spectra_input(const std::string& input,
+                                              const spectral::ReadAs& said)
 {
     if (std::filesystem::is_regular_file(input)) {
-        std::vector<NamedSpectrum> spectra = read_spectra_file(input);
+        std::vector<NamedSpectrum> spectra = read_spectra_file(input, {}, said);
         for (std::size_t i = 0; i < spectra.size(); ++i)
             if (spectra[i].name.empty())
                 spectra[i].name = fmt::format("{}{}", std::filesystem::path(input).stem().string(),

@@ -26,10 +26,19 @@ struct Pixel {
 /// @param pixels  of a spectral image, only those
 /// @throws InputError with all that is wrong
 [[nodiscard]] std::vector<spectral::NamedSpectrum> read_spectra_file(
-    const std::string& file, const std::vector<Pixel>& pixels = {});
+    const std::string& file, const std::vector<Pixel>& pixels = {},
+    const spectral::ReadAs& said = {});
+
+/// Of --kind, which may be empty, and --scale. @throws InputError for a scale that is not > 0
+[[nodiscard]] spectral::ReadAs read_as(const std::string& kind, std::optional<double> scale);
+
+inline constexpr const char* kScaleHelp =
+    "multiplies the values of files: 0.01 for per cent, 1 for ratios above 1";
 
 /// The same for a file that exists, the key of a spectrum in the library, or an illuminant.
-[[nodiscard]] std::vector<spectral::NamedSpectrum> read_spectra_input(const std::string& input);
+/// @param said  of a file
+[[nodiscard]] std::vector<spectral::NamedSpectrum> read_spectra_input(
+    const std::string& input, const spectral::ReadAs& said = {});
 
 /// What nacre bake cmf, spectra and material wrote, as spectra; those of a spectral EXR, one a
 /// pixel; and of an RGBA image of packed spectra by somebody else, whose width tells.

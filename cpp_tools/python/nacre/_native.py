@@ -130,7 +130,7 @@ class Shape(Structure):
 
 
 class LibraryWords(Structure):
-    _fields_ = [("formula", c_char_p), ("tags", c_char_p)]
+    _fields_ = [("formula", c_char_p), ("tags", c_char_p), ("changes", c_char_p)]
 
 
 class MediumIndex(Structure):
@@ -211,7 +211,10 @@ _SIGNATURES = {
     "nacre_illuminant": (c_int, [c_char_p, c_void_p]),
     "nacre_colour_matching": (c_int, [c_char_p, c_void_p]),
     "nacre_colour_temperature": (c_int, [c_size_t, *[c_void_p] * 3]),
-    "nacre_read_spectra": (c_int, [c_char_p, c_size_t, c_char_p, POINTER(c_void_p)]),
+    "nacre_read_spectra": (
+        c_int,
+        [c_char_p, c_size_t, c_char_p, c_char_p, c_double, POINTER(c_void_p)],
+    ),
     "nacre_spectra_count": (c_size_t, [c_void_p]),
     "nacre_spectra_at": (c_int, [c_void_p, c_size_t, POINTER(Spectrum), POINTER(c_char_p)]),
     "nacre_spectra_free": (None, [c_void_p]),

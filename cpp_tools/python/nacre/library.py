@@ -19,7 +19,8 @@ from ._native import NacreError, check, doubles, lib, text
 
 class Medium(NamedTuple):
     """key: `book/page`; references: citation; range_nm: closed range of the data; formula: chemical,
-    e.g. `TiO2`, or empty; tags: kind of matter, e.g. `metal`."""
+    e.g. `TiO2`, or empty; tags: kind of matter, e.g. `metal`; changes: what was put right when the
+    file was read, such as rows out of order."""
 
     key: str
     name: str
@@ -28,6 +29,7 @@ class Medium(NamedTuple):
     range_nm: tuple[float, float]
     formula: str = ""
     tags: tuple[str, ...] = ()
+    changes: tuple[str, ...] = ()
 
     # Not that of a tuple, whose values nobody looks for.
     def index(self, wavelength_nm: ArrayLike) -> np.ndarray:  # type: ignore[override]
@@ -78,11 +80,12 @@ def keys(kind: str = "media", search: str = "", tag: str = "") -> list[str]:
     return [lib.nacre_library_found(index).decode() for index in range(count.value)]
 
 
-def _words(kind: str, key: str) -> tuple[str, tuple[str, ...]]:
-    """Formula and tags."""
+def _words(kind: str, key: str) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
+    """Formula, tags and changes."""
     found = _native.LibraryWords()
     check(lib.nacre_library_words_of(_KINDS[kind], text(key, "key"), ctypes.byref(found)))
-    return found.formula.decode(), tuple(found.tags.decode().splitlines())
+    tags, changes = (tuple(lines.decode().splitlines()) for lines in (found.tags, found.changes))
+    return found.formula.decode(), tags, changes
 
 
 def medium(key: str) -> Medium:
@@ -117,15 +120,30 @@ def _spectrum_from(found: _native.Spectrum, tags: tuple[str, ...]) -> Spectrum:
     return Spectrum(key, name, kind, references, licence, comments, wavelengths, values, tags)
 
 
-def read(path: str | os.PathLike[str]) -> list[Spectrum]:
+def read(
+    path: str | os.PathLike[str], *, kind: str = "", scale: float | None = None
+) -> list[Spectrum]:
     """Spectra of a file: `.csv`, `.spd` of Mitsuba and pbrt, `.spdx` (IES TM-27-14) or CGATS.
 
-    Raises NacreError with all that is wrong, each with its line; OSError where there is no file.
+    kind: what the values are, whatever the file says. scale: multiplies them, by 0.01 for per cent,
+    by 1 for ratios; by default as the file says, and a reflectance above 1 of which it does not say
+    whether it is a ratio or per cent is refused. Raises NacreError with all that is wrong, each with
+    its line; OSError where there is no file.
     """
+    if scale is not None and not 0.0 < scale < float("inf"):
+        raise NacreError(f"scale: must be finite and > 0 (got {scale!r})")
     content = Path(path).read_bytes()
     handle = ctypes.c_void_p()
-    name = os.fsencode(path)
-    check(lib.nacre_read_spectra(content, len(content), name, ctypes.byref(handle)))
+    check(
+        lib.nacre_read_spectra(
+            content,
+            len(content),
+            os.fsencode(path),
+            text(kind, "kind"),
+            scale or 0.0,
+            ctypes.byref(handle),
+        )
+    )
     try:
         spectra = []
         for index in range(lib.nacre_spectra_count(handle)):
@@ -173,7 +191,8 @@ def add_medium(
 
     source: a file of refractiveindex.info (`.yml`), a `.csv` with columns `wavelength_nm`, `n` and
     perhaps `k`, or a pair of arrays (N,): wavelengths in nm, ascending, and n + ik. references:
-    citation, where the file has none. replace: as in add(). Raises NacreError as add() does, and with
+    citation, where the file has none. replace: as in add(). What is put right in a file is in
+    `changes` and, of a table, in `comments`. Raises NacreError as add() does, and with
     all that is wrong with a file, each with its line; OSError where there is no file.
     """
     if isinstance(source, tuple):

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <fmt/ranges.h>
+
 #include "guard.h"
 #include "nacre/capi/library.h"
 #include "nacre/core/diagnostics.h"
@@ -170,11 +172,13 @@ nacre_status nacre_library_words_of(int kind, const char* key, nacre_library_wor
         const bool medium = nacre::capi::is_media(kind);
         const auto& tags = medium ? nacre::spectral::library_medium(key).tags
                                   : nacre::spectral::library_spectrum(key).tags;
-        std::string lines;
-        for (const std::string& tag : tags) lines += (lines.empty() ? "" : "\n") + tag;
         const std::string formula =
             medium ? nacre::spectral::library_medium(key).formula : std::string();
-        *words = {.formula = nacre::capi::kept(formula), .tags = nacre::capi::kept(lines)};
+        const std::vector<std::string> changes =
+            medium ? nacre::spectral::library_medium(key).changes : std::vector<std::string>();
+        *words = {.formula = nacre::capi::kept(formula),
+                  .tags = nacre::capi::kept(fmt::format("{}", fmt::join(tags, "\n"))),
+                  .changes = nacre::capi::kept(fmt::format("{}", fmt::join(changes, "\n")))};
     });
 }
 

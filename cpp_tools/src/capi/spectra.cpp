@@ -3,6 +3,7 @@
 #include "nacre/capi/spectra.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <string>
@@ -34,6 +35,17 @@ std::string_view text_of(const char* text, std::size_t bytes)
 {
     require(text, "text");
     return {text, bytes};
+}
+
+spectral::ReadAs read_as(const char* kind, double scale)
+{
+    if (!(scale >= 0.0) || std::isinf(scale))
+        fail("scale",
+             fmt::format("must be finite and > 0, or 0 for that of the file (got {:g})", scale));
+    spectral::ReadAs said;
+    if (!text_or_empty(kind).empty()) said.kind = kind_from(kind);
+    if (scale > 0.0) said.scale = scale;
+    return said;
 }
 
 std::vector<std::string> lines_of(const char* text)
@@ -115,15 +127,16 @@ nacre_status nacre_colour_temperature(size_t count, const double* XYZ, double* c
     });
 }
 
-nacre_status nacre_read_spectra(const char* text, size_t bytes, const char* file,
-                                nacre_spectra** spectra)
+nacre_status nacre_read_spectra(const char* text, size_t bytes, const char* file, const char* kind,
+                                double scale, nacre_spectra** spectra)
 {
     using namespace nacre;
     return capi::guarded([&] {
         capi::require(file, "file");
         capi::require(spectra, "spectra");
+        const spectral::ReadAs said = capi::read_as(kind, scale);
         auto read = std::make_unique<nacre_spectra>();
-        read->all = spectral::read_spectra(capi::text_of(text, bytes), file);
+        read->all = spectral::read_spectra(capi::text_of(text, bytes), file, said);
         for (const auto& spectrum : read->all)
             read->tags.push_back(fmt::format("{}", fmt::join(spectrum.tags, "\n")));
         *spectra = read.release();
@@ -189,9 +202,11 @@ nacre_status nacre_library_add_medium(const char* key, const char* text, size_t 
         capi::require(key, "key");
         capi::require(file, "file");
         const std::string citation = capi::text_or_empty(references);
+        std::vector<std::string> changes;  // the entry has them: nacre_library_words_of()
         (void)spectral::save_user_entries(
             {{spectral::EntryKind::medium, key,
-              spectral::refractiveindex_yaml_of_file(capi::text_of(text, bytes), file, citation)}},
+              spectral::refractiveindex_yaml_of_file(capi::text_of(text, bytes), file, citation,
+                                                     changes)}},
             replace != 0);
     });
 }

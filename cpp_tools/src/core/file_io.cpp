@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
@@ -24,6 +25,28 @@ namespace {
 [[noreturn]] void throw_read_error(const fs::path& path, std::string message)
 {
     throw InputError({.file = path.string(), .field = {}, .message = std::move(message)});
+}
+
+/// `scheme://` at the start (RFC 3986, 3.1).
+bool is_uri(std::string_view text)
+{
+    const std::size_t length = std::min(text.find("://"), text.size());
+    const auto in_scheme = [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '+' || c == '-' || c == '.';
+    };
+    return length > 1 && length < text.size() &&
+           std::ranges::all_of(text.substr(0, length), in_scheme);
+}
+
+[[noreturn]] void throw_open_error(const fs::path& path, int error)
+{
+    if (error == ENOENT && is_uri(path.native()))
+        throw_read_error(path,
+                         "must be a file; this is a URI, whose content has to be saved first");
+    throw_read_error(path, error == ENOENT
+                               ? std::string("there is no such file")
+                               : std::string("cannot be read: ") + std::strerror(error));
 }
 
 fs::path folder_of(const fs::path& file)
@@ -110,10 +133,7 @@ bool write_through_nameless_file(const fs::path& path, std::string_view bytes)
 std::string read_text(const fs::path& path, std::size_t limit)
 {
     FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.valid())
-        throw_read_error(path, errno == ENOENT
-                                   ? std::string("there is no such file")
-                                   : std::string("cannot be read: ") + std::strerror(errno));
+    if (!file.valid()) throw_open_error(path, errno);
     struct stat status {};
     if (::fstat(file.get(), &status) == 0 && S_ISDIR(status.st_mode))
         throw_read_error(path, "cannot be read: it is a folder");

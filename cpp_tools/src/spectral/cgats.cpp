@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <span>
 
 #include "nacre/core/limits.h"
 #include "nacre/spectral/spectrum_files.h"
@@ -62,6 +63,7 @@ private:
 struct SpectralField {
     std::size_t column;
     double nm, scale;
+    bool unit_stated;
 };
 
 std::optional<SpectralField> spectral_field(std::string_view name, std::size_t column)
@@ -69,20 +71,22 @@ std::optional<SpectralField> spectral_field(std::string_view name, std::size_t c
     struct Prefix {
         std::string_view text;
         double scale;
+        bool unit_stated;
     };
     // The longer ones first: SPECTRAL_ is the start of three others.
-    constexpr std::array<Prefix, 6> kPrefixes = {{{"SPECTRAL_NM", 1.0},
-                                                  {"SPECTRAL_PCT", 0.01},
-                                                  {"SPECTRAL_DEC", 1.0},
-                                                  {"SPECTRAL_", 1.0},
-                                                  {"SPEC_", 1.0},
-                                                  {"NM", 1.0}}};
-    for (const auto& [prefix, scale] : kPrefixes) {
+    constexpr std::array<Prefix, 6> kPrefixes = {{{"SPECTRAL_NM", 1.0, false},
+                                                  {"SPECTRAL_PCT", 0.01, true},
+                                                  {"SPECTRAL_DEC", 1.0, true},
+                                                  {"SPECTRAL_", 1.0, false},
+                                                  {"SPEC_", 1.0, false},
+                                                  {"NM", 1.0, false}}};
+    for (const auto& [prefix, scale, unit_stated] : kPrefixes) {
         if (!same_letters(name.substr(0, prefix.size()), prefix)) continue;
         std::string_view rest = name.substr(prefix.size());
         if (rest.starts_with('_')) rest.remove_prefix(1);
         const auto nm = parse_number(rest);
-        if (nm && std::isfinite(*nm) && *nm > 0.0) return SpectralField{column, *nm, scale};
+        if (nm && std::isfinite(*nm) && *nm > 0.0)
+            return SpectralField{column, *nm, scale, unit_stated};
     }
     return std::nullopt;
 }
@@ -122,10 +126,11 @@ private:
     }
 
     /// Whether a table is as long as a keyword before it says, which a file that broke off is not.
+    /// Of a table that could not be read the number says nothing.
     void check_count(const char* keyword, std::size_t got, int line)
     {
         auto& stated = counts_.at(keyword);
-        if (stated && *stated != static_cast<double>(got))
+        if (problems_.empty() && stated && *stated != static_cast<double>(got))
             problems_.add(line, keyword,
                           fmt::format("must be {}, what there is (got {:g})", got, *stated));
         stated.reset();
@@ -154,6 +159,7 @@ private:
             }
             if (auto field = spectral_field(word->text, columns_)) {
                 field->scale /= norm;
+                field->unit_stated |= !header("SPECTRAL_NORM").empty();
                 fields_.push_back(*field);
             } else if (word->text == "SAMPLE_NAME" ||
                        (word->text == "SAMPLE_ID" && !name_column_)) {
@@ -179,30 +185,83 @@ private:
     void read_data(int line)
     {
         if (columns_ == 0) problems_.add(line, "BEGIN_DATA", "must come after BEGIN_DATA_FORMAT");
-        std::vector<Word> row;
-        std::size_t sets = 0;
+        // What came before is wrong already: only the end is of interest.
+        const bool readable = columns_ > 0 && fields_.size() >= 2;
+        sets_ = 0;
+        row_.clear();
+        by_lines_ = readable && has_wrong_line();
         while (const auto word = words_.next()) {
-            if (word->text == "END_DATA") {
-                if (!row.empty())
-                    problems_.add(row.front().line, {},
-                                  fmt::format("must have {} words as there are fields (got {})",
-                                              columns_, row.size()));
-                else if (columns_ > 0)
-                    check_count("NUMBER_OF_SETS", sets, line);
+            const bool end = word->text == "END_DATA";
+            if (by_lines_ && !row_.empty() && (end || word->first)) end_line();
+            if (end) {
+                if (!row_.empty()) add_wrong_row();
+                if (readable) check_count("NUMBER_OF_SETS", sets_, line);
                 return;
             }
-            // What came before is wrong already: only the end is of interest.
-            if (!problems_.empty() && (columns_ == 0 || fields_.size() < 2)) continue;
-            row.push_back(*word);
-            if (row.size() < columns_) continue;
-            ++sets;
-            add_spectrum(row);
-            row.clear();
+            if (readable) add_word(*word);
         }
         problems_.add(line, "BEGIN_DATA", "must end with END_DATA");
     }
 
-    void add_spectrum(const std::vector<Word>& row)
+    /// Whether a word is missing or one too many, so that sets have to be told apart by their
+    /// lines: what is wrong with one is not carried into the next then.
+    [[nodiscard]] bool has_wrong_line() const
+    {
+        Words ahead = words_;
+        std::size_t words = 0, in_line = 0, lines = 0, whole = 0;
+        const auto end_of_line = [&] {
+            if (in_line == 0) return;
+            ++lines;
+            if (in_line == columns_) ++whole;
+            in_line = 0;
+        };
+        while (const auto word = ahead.next()) {
+            if (word->first) end_of_line();
+            if (word->text == "END_DATA") break;
+            ++in_line;
+            ++words;
+        }
+        end_of_line();
+        return words % columns_ != 0 && 2 * whole >= lines;
+    }
+
+    void add_word(const Word& word)
+    {
+        if (by_lines_ && row_.size() > columns_) {
+            ++surplus_;
+            return;
+        }
+        row_.push_back(word);
+        if (!by_lines_) take_set();
+    }
+
+    void end_line()
+    {
+        if (row_.size() == columns_)
+            take_set();
+        else
+            add_wrong_row();
+    }
+
+    /// The first set of the row where it is whole.
+    void take_set()
+    {
+        if (row_.size() < columns_) return;
+        ++sets_;
+        add_spectrum(std::span(row_).first(columns_));
+        row_.erase(row_.begin(), row_.begin() + static_cast<std::ptrdiff_t>(columns_));
+    }
+
+    void add_wrong_row()
+    {
+        problems_.add(row_.front().line, {},
+                      fmt::format("must have {} words as there are fields (got {})", columns_,
+                                  row_.size() + surplus_));
+        row_.clear();
+        surplus_ = 0;
+    }
+
+    void add_spectrum(std::span<const Word> row)
     {
         std::vector<double> nm, values;
         for (const SpectralField& field : fields_) {
@@ -215,7 +274,7 @@ private:
             nm.push_back(field.nm);
             values.push_back(value.value_or(0.0) * field.scale);
         }
-        if (spectra_.size() == kMaxSpectra)
+        if (sets_ == kMaxSpectra + 1)
             problems_.add(row.front().line, {},
                           fmt::format("must have at most {} sets of data", kMaxSpectra));
         if (!problems_.empty()) return;
@@ -228,7 +287,8 @@ private:
              .comments = clean_text(header("DESCRIPTOR")),
              .tags = {},
              .kind = emission ? SpectrumKind::emission : SpectrumKind::reflectance,
-             .samples = {std::move(nm), std::move(values)}});
+             .samples = {std::move(nm), std::move(values)},
+             .unit_stated = std::ranges::all_of(fields_, &SpectralField::unit_stated)});
     }
 
     [[nodiscard]] std::string_view header(std::string_view keyword) const
@@ -253,6 +313,10 @@ private:
         {"NUMBER_OF_FIELDS", {}}, {"NUMBER_OF_SETS", {}}};
     std::size_t columns_ = 0;
     std::optional<std::size_t> name_column_;
+    std::vector<Word> row_;    ///< since the last set
+    std::size_t surplus_ = 0;  ///< words of its line beyond one more than there are columns
+    std::size_t sets_ = 0;     ///< of the table that is read
+    bool by_lines_ = false;    ///< a line of that table is a set
     std::vector<SpectralField> fields_;
     std::vector<NamedSpectrum> spectra_;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include "index_rows.h"
 #include "medium_yaml.h"
 #include "nacre/spectral/optical_constants.h"
 #include "number_table.h"
@@ -22,8 +23,8 @@ Columns find_columns(const NumberTables& read, const std::string& file)
     Columns columns;
     for (const NumberTable& table : read.tables) {
         for (std::size_t i = 0; i < table.names.size(); ++i) {
-            if (table.names[i] == "n") columns.n = &table.columns[i];
-            if (table.names[i] == "k") columns.k = &table.columns[i];
+            if (same_letters(table.names[i], "n")) columns.n = &table.columns[i];
+            if (same_letters(table.names[i], "k")) columns.k = &table.columns[i];
         }
         if (columns.first && table.wavelengths_nm != columns.first->wavelengths_nm)
             throw InputError(
@@ -41,25 +42,34 @@ Columns find_columns(const NumberTables& read, const std::string& file)
 }  // namespace
 
 std::string refractiveindex_yaml_from_csv(std::string_view text, std::string_view name,
-                                          std::string_view references)
+                                          std::string_view references,
+                                          std::vector<std::string>& changes)
 {
     const std::string file(name);
     NumberTables read = read_number_tables(text, name);
     const auto [table, n, k] = find_columns(read, file);
     FileProblems problems(file);
+    std::vector<IndexRow> rows;
     for (std::size_t i = 0; i < n->size(); ++i) {
-        if (!((*n)[i] > 0.0))
-            problems.add(table->lines[i], "n", fmt::format("must be > 0 (got {:g})", (*n)[i]));
-        if (k && !((*k)[i] >= 0.0))
-            problems.add(table->lines[i], "k", fmt::format("must be ≥ 0 (got {:g})", (*k)[i]));
+        rows.push_back({table->lines[i], table->wavelengths_nm[i], (*n)[i], k ? (*k)[i] : 0.0});
+        if (!(rows[i].n > 0.0))
+            problems.add(rows[i].line, "n", fmt::format("must be > 0 (got {:g})", rows[i].n));
+        if (!(rows[i].k >= kLeastNoiseOfK))
+            problems.add(rows[i].line, "k",
+                         fmt::format("must be ≥ 0, or ≥ {:g} for the noise of a measurement (got "
+                                     "{:g})",
+                                     kLeastNoiseOfK, rows[i].k));
     }
     problems.throw_if_any();
-    return medium_yaml(
-        {.name = read.comments["NAME"],
-         .references = references.empty() ? read.comments["REFERENCES"] : std::string(references),
-         .wavelengths_nm = table->wavelengths_nm,
-         .n = *n,
-         .k = k});
+    const auto mended = mend_rows(rows);
+    changes.insert(changes.end(), mended.begin(), mended.end());
+    MediumTable medium{
+        .name = read.comments["NAME"],
+        .references = references.empty() ? read.comments["REFERENCES"] : std::string(references),
+        .comments = changes_text(mended)};
+    for (const IndexRow& row : rows) medium.append(row.wavelength, row.n, row.k);
+    medium.has_k = k != nullptr;
+    return medium_yaml(medium);
 }
 
 }  // namespace nacre::spectral

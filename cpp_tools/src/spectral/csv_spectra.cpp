@@ -46,6 +46,9 @@ std::vector<NamedSpectrum> read_csv_spectra(std::string_view text, std::string_v
     const auto kind = kind_of(read.comments["KIND"], file);
     std::vector<NamedSpectrum> spectra;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const bool per_cent = table.per_cent[i];
+        if (per_cent)
+            for (double& value : table.columns[i]) value *= 0.01;
         std::string column = table.names.empty() ? std::string() : table.names[i];
         if (column == "value") column.clear();  // as the files of a library call it, no name
         const bool alone = table.columns.size() == 1;
@@ -57,7 +60,9 @@ std::vector<NamedSpectrum> read_csv_spectra(std::string_view text, std::string_v
                            .comments = read.comments["COMMENTS"],
                            .tags = split_tags(read.comments["TAGS"]),
                            .kind = kind,
-                           .samples = {table.wavelengths_nm, std::move(table.columns[i])}});
+                           .samples = {table.wavelengths_nm, std::move(table.columns[i])},
+                           // As the files of a library have it, whose reflectances are ratios.
+                           .unit_stated = kind.has_value() || per_cent});
     }
     return spectra;
 }

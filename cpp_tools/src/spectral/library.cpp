@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include "nacre/core/diagnostics.h"
-#include "nacre/core/file_io.h"
 #include "nacre/core/resources.h"
 #include "nacre/spectral/optical_constants.h"
 #include "shipped.h"
@@ -12,7 +10,7 @@ namespace nacre::spectral {
 
 namespace {
 
-Medium load_medium(std::string_view key)
+Medium load_medium(std::string_view key, const EntrySource& source)
 {
     if (key == "air" || key == "vacuum")
         return {.key = std::string(key),
@@ -21,12 +19,12 @@ Medium load_medium(std::string_view key)
                 .comments = key == "air" ? "Taken as vacuum; air has n = 1.0003." : "",
                 .formula = {},
                 .tags = {"gas"},
+                .changes = {},
                 .constants = constant_index(1.0)};
-    const auto own = user_library_file(EntryKind::medium, key);
-    if (!own)  // entry_identity() found the resource
+    if (!source.own)  // entry_source() found the resource
         return parse_refractiveindex_yaml(
             *find_resource(fmt::format("optical_constants/{}.yml", key)), key);
-    Medium medium = parse_refractiveindex_yaml(read_text(*own), own->string());
+    Medium medium = parse_refractiveindex_yaml(source.text, source.name);
     if (medium.name == medium.key) medium.name = key;
     medium.key = key;
     return medium;

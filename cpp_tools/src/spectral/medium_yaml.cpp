@@ -31,23 +31,35 @@ std::string medium_yaml(const MediumTable& table)
     if (!table.name.empty()) yaml += fmt::format("NAMES:\n  - {}\n", quoted_text(table.name));
     if (const std::string citation = clean_text(table.references); !citation.empty())
         yaml += fmt::format("REFERENCES: {}\n", quoted_text(citation));
-    yaml += fmt::format("DATA:\n  - type: tabulated {}\n    data: |\n", table.k ? "nk" : "n");
+    if (!table.comments.empty())
+        yaml += fmt::format("COMMENTS: {}\n", quoted_text(clean_text(table.comments)));
+    yaml += fmt::format("DATA:\n  - type: tabulated {}\n    data: |\n", table.has_k ? "nk" : "n");
     for (std::size_t i = 0; i < table.n.size(); ++i) {
         yaml += fmt::format("        {} {}", table.wavelengths_nm[i] / 1000.0, table.n[i]);
-        yaml += table.k ? fmt::format(" {}\n", (*table.k)[i]) : "\n";
+        yaml += table.has_k ? fmt::format(" {}\n", table.k[i]) : "\n";
     }
     return yaml;
 }
 
+std::string changes_text(std::span<const std::string> changes)
+{
+    std::string text;
+    for (const std::string& change : changes)
+        text += fmt::format("{}{}", text.empty() ? "Changed when it was imported: " : "; ", change);
+    return text;
+}
+
 std::string refractiveindex_yaml_of_file(std::string_view text, std::string_view file,
-                                         std::string_view references)
+                                         std::string_view references,
+                                         std::vector<std::string>& changes)
 {
     if (!file.ends_with(".yml") && !file.ends_with(".yaml")) {
-        std::string yaml = refractiveindex_yaml_from_csv(text, file, references);
+        std::string yaml = refractiveindex_yaml_from_csv(text, file, references, changes);
         (void)parse_refractiveindex_yaml(yaml, file);
         return yaml;
     }
     const Medium medium = parse_refractiveindex_yaml(text, file);
+    changes.insert(changes.end(), medium.changes.begin(), medium.changes.end());
     std::string yaml(text);
     const std::string citation = clean_text(std::string(references));
     if (citation.empty()) return yaml;

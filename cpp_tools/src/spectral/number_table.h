@@ -10,14 +10,17 @@
 #include "text_lines.h"
 
 /// @file
-/// Rows of numbers under names, as CSV files have them.
+/// Rows of numbers under names, as CSV files, spreadsheets and instruments have them: between
+/// tabs, semicolons, commas or spaces, with decimal commas where those do not separate.
 
 namespace nacre::spectral {
 
-/// The first column is the wavelength in nm, above 0 and ascending; all numbers are finite.
+/// The first column is the wavelength in nm, above 0 and ascending, though a file may have it
+/// descending or in µm; all numbers are finite.
 struct NumberTable {
     int line = 0;                    ///< of the names, or of the first row
     std::vector<std::string> names;  ///< of the columns after the first; empty where none are given
+    std::vector<bool> per_cent;      ///< of the columns, by their names
     std::vector<int> lines;          ///< of the rows
     std::vector<double> wavelengths_nm;
     std::vector<std::vector<double>> columns;

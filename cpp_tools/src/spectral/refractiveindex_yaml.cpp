@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <optional>
+#include <type_traits>
 
+#include "index_rows.h"
 #include "markup.h"
 #include "nacre/core/diagnostics.h"
 #include "tabulated_index.h"
@@ -50,8 +52,12 @@ public:
             if (problems_.empty() && !n_) add(line_of(data.Mark()), "DATA", "must state n");
         }
         problems_.throw_if_any();
+        extend_clear_ends();
         return {.name = name_, .n = std::move(*n_), .k = std::move(k_)};
     }
+
+    /// What read() had to put right.
+    [[nodiscard]] std::vector<std::string> changes() && { return std::move(changes_); }
 
 private:
     void add(int line, std::string field, std::string message)
@@ -118,33 +124,47 @@ private:
 
     void read_table(const YAML::Node& entry, const std::string& field, bool has_n, bool has_k)
     {
-        const std::vector<Row> rows = rows_of(entry, field, "data");
         const std::string path = field + ".data";
-        if (rows.empty() && problems_.empty()) add(line_of(entry.Mark()), path, "must have rows");
-        IndexTable n, k;
-        double previous = 0.0;
-        for (const auto& [line, numbers] : rows) {
+        std::vector<Row> given = rows_of(entry, field, "data");
+        if (given.empty() && problems_.empty()) add(line_of(entry.Mark()), path, "must have rows");
+        std::vector<IndexRow> rows;
+        for (const auto& [line, numbers] : given) {
             const std::size_t wanted = has_n && has_k ? 3 : 2;
             if (numbers.size() != wanted) {
                 add(line, path,
                     fmt::format("must have {} numbers a row (got {})", wanted, numbers.size()));
                 continue;
             }
-            const double um = numbers[0];
-            if (!(um > previous) || !std::isfinite(um))
-                add(line, path,
-                    fmt::format("wavelengths must be finite, > 0 and ascending (got {} after {})",
-                                um, previous));
-            previous = um;
-            if (has_n) append(n, um, numbers[1]);
-            if (has_k) append(k, um, numbers.back());
-            if (has_n && !(numbers[1] > 0.0 && std::isfinite(numbers[1])))
-                add(line, path, fmt::format("n must be finite and > 0 (got {})", numbers[1]));
-            if (has_k && !(numbers.back() >= 0.0 && std::isfinite(numbers.back())))
-                add(line, path, fmt::format("k must be finite and ≥ 0 (got {})", numbers.back()));
+            rows.push_back(
+                {line, numbers[0], has_n ? numbers[1] : 1.0, has_k ? numbers.back() : 0.0});
+            check_row(rows.back(), path);
+        }
+        if (!problems_.empty()) return;
+        for (const std::string& change : mend_rows(rows))
+            changes_.push_back(fmt::format("{}: {}", path, change));
+        if (rows.empty()) {
+            add(line_of(entry.Mark()), path,
+                fmt::format("must have rows whose k is not below {:g}", kLeastNoiseOfK));
+            return;
+        }
+        IndexTable n, k;
+        for (const IndexRow& row : rows) {
+            append(n, row.wavelength, row.n);
+            append(k, row.wavelength, row.k);
         }
         if (has_n) set_n(std::move(n), entry, field);
         if (has_k) set_k(std::move(k), entry, field);
+    }
+
+    void check_row(const IndexRow& row, const std::string& path)
+    {
+        if (!(row.wavelength > 0.0) || !std::isfinite(row.wavelength))
+            add(row.line, path,
+                fmt::format("wavelengths must be finite and > 0 (got {})", row.wavelength));
+        if (!(row.n > 0.0) || !std::isfinite(row.n))
+            add(row.line, path, fmt::format("n must be finite and > 0 (got {})", row.n));
+        if (!std::isfinite(row.k))
+            add(row.line, path, fmt::format("k must be finite (got {})", row.k));
     }
 
     static void append(IndexTable& table, double um, double value)
@@ -193,8 +213,68 @@ private:
     template <typename Source>
     void set_n(Source source, const YAML::Node& entry, const std::string& field)
     {
-        if (n_) add(line_of(entry.Mark()), field, "n is stated twice");
-        n_ = std::move(source);
+        if (n_)
+            compare_n(source, entry, field);
+        else
+            n_ = std::move(source);
+    }
+
+    /// A file may have a formula and the numbers that it gives: the first counts where both agree.
+    template <typename Source>
+    void compare_n(const Source& second, const YAML::Node& entry, const std::string& field)
+    {
+        constexpr double kAlike = 1e-3;
+        if constexpr (std::is_same_v<Source, IndexTable>) {
+            for (std::size_t i = 0; i < second.values.size(); ++i) {
+                const auto first = first_n_at(second.wavelengths_um[i]);
+                if (first && std::abs(*first - second.values[i]) <= kAlike) continue;
+                if (first)
+                    add(line_of(entry.Mark()), field,
+                        fmt::format("n is stated twice, and not alike: {:g} and {:g} at {:g} µm",
+                                    *first, second.values[i], second.wavelengths_um[i]));
+                if (first) return;
+            }
+            changes_.push_back(field + ": n is stated twice and alike, the first counts");
+        } else {
+            add(line_of(entry.Mark()), field, "n is stated twice");
+        }
+    }
+
+    /// Nothing outside its range.
+    [[nodiscard]] std::optional<double> first_n_at(double um) const
+    {
+        if (const auto* table = std::get_if<IndexTable>(&*n_)) {
+            const auto [low, high] = table->range_um();
+            if (um < low || um > high) return std::nullopt;
+            return table->at(um);
+        }
+        const RangedFormula& first = std::get<RangedFormula>(*n_);
+        if (um < first.range_um[0] || um > first.range_um[1]) return std::nullopt;
+        return first.formula.index_at(um);
+    }
+
+    /// A table of k that ends with 0 where the formula of n goes on says that the medium is clear
+    /// from there, as one without k is.
+    void extend_clear_ends()
+    {
+        const auto* const formula = std::get_if<RangedFormula>(&*n_);
+        if (!formula || !k_) return;
+        const auto [low, high] = formula->range_um;
+        auto& [um, k] = *k_;
+        const auto tell = [this](double end_um, const char* side) {
+            changes_.push_back(
+                fmt::format("k ends with 0 at {:g} nm and is 0 {} that", end_um * 1000.0, side));
+        };
+        if (k.front() == 0.0 && low < um.front()) {
+            tell(um.front(), "below");
+            um.insert(um.begin(), low);
+            k.insert(k.begin(), 0.0);
+        }
+        if (k.back() == 0.0 && high > um.back()) {
+            tell(um.back(), "above");
+            um.push_back(high);
+            k.push_back(0.0);
+        }
     }
 
     void set_k(IndexTable table, const YAML::Node& entry, const std::string& field)
@@ -207,6 +287,7 @@ private:
     FileProblems problems_;
     std::optional<std::variant<IndexTable, RangedFormula>> n_;
     std::optional<IndexTable> k_;
+    std::vector<std::string> changes_;
 };
 
 std::string text_of(const YAML::Node& root, const char* key)
@@ -241,8 +322,11 @@ Medium parse_refractiveindex_yaml(std::string_view text, std::string_view name)
                       .comments = {},
                       .formula = {},
                       .tags = {},
+                      .changes = {},
                       .constants = {}};
-        medium.constants = measured_constants(DataReader(file).read(root));
+        DataReader reader(file);
+        medium.constants = measured_constants(reader.read(root));
+        medium.changes = std::move(reader).changes();
         medium.references = text_of(root, "REFERENCES");
         medium.comments = text_of(root, "COMMENTS");
         medium.formula = text_of(root, "FORMULA");

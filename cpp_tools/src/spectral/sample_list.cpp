@@ -30,7 +30,7 @@ bool SampleList::add(int line, std::string_view wavelength_nm, std::string_view 
 
 std::optional<Spectrum> SampleList::finish()
 {
-    if (values_.size() < 2)
+    if (values_.size() < 2 && problems_.empty())
         problems_.add(0, {},
                       fmt::format("must have at least two samples, a wavelength and a value each "
                                   "(got {})",

@@ -8,12 +8,11 @@
 
 #include "illuminant_table.h"
 #include "nacre/core/diagnostics.h"
+#include "nacre/core/file_io.h"
 #include "nacre/core/resources.h"
 #include "near_keys.h"
 
 namespace nacre::spectral {
-
-namespace fs = std::filesystem;
 
 std::string_view shipped_folder(EntryKind kind) noexcept
 {
@@ -58,7 +57,7 @@ std::vector<std::string> all_keys(EntryKind kind)
     return keys;
 }
 
-std::string entry_identity(EntryKind kind, std::string_view key)
+EntrySource entry_source(EntryKind kind, std::string_view key)
 {
     const bool shipped = is_shipped(kind, key);
     const auto own = user_library_file(kind, key);
@@ -68,14 +67,12 @@ std::string entry_identity(EntryKind kind, std::string_view key)
                           .message = fmt::format("has the key of an entry that comes with Nacre; "
                                                  "rename or remove the file (got '{}')",
                                                  key)});
-    if (shipped) return std::string(key);
+    if (shipped) return {.name = std::string(key), .text = {}};
     if (!own)
         throw InputError({.file = {},
                           .field = kind == EntryKind::medium ? "medium" : "spectrum",
                           .message = unknown_key_message(key, all_keys(kind))});
-    std::error_code error;
-    const auto written = fs::last_write_time(*own, error).time_since_epoch().count();
-    return fmt::format("{}\n{}", own->string(), written);
+    return {.name = own->string(), .text = read_text(*own), .own = true};
 }
 
 }  // namespace nacre::spectral

@@ -13,7 +13,8 @@ std::vector<NamedSpectrum> read_spd(std::string_view text, std::string_view name
     check_size(text, file);
     FileProblems problems(file);
     SampleList samples(problems);
-    TextLines lines(text);
+    const std::string decoded = utf8_of_utf16(text);
+    TextLines lines(decoded.empty() ? text : decoded);
     while (const auto line = lines.next()) {
         const auto words = split_words(line->substr(0, line->find('#')));
         if (words.empty()) continue;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <optional>
 
+#include "index_rows.h"
 #include "medium_yaml.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/optical_constants.h"
@@ -21,12 +22,31 @@ struct Part {
     bool is_n;
 };
 
+/// k below 0 by no more than noise is 0.
+Spectrum without_noise(const Spectrum& k, const std::string& file,
+                       std::vector<std::string>& changes)
+{
+    std::vector<double> values = k.values();
+    std::size_t count = 0;
+    for (double& value : values)
+        if (value < 0.0 && value >= kLeastNoiseOfK) {
+            value = 0.0;
+            ++count;
+        }
+    if (count > 0)
+        changes.push_back(
+            fmt::format("{}: k < 0 taken as 0 ({} {})", file, count, count == 1 ? "row" : "rows"));
+    return {k.wavelengths_nm(), std::move(values)};
+}
+
 /// What was read; problems of either file are added to `problems`.
-std::optional<Spectrum> read_part(const Part& part, DiagnosticList& problems)
+std::optional<Spectrum> read_part(const Part& part, DiagnosticList& problems,
+                                  std::vector<std::string>& changes)
 {
     const std::string file(part.file);
     try {
         Spectrum samples = std::move(read_spd(part.text, part.file).front().samples);
+        if (!part.is_n) samples = without_noise(samples, file, changes);
         for (std::size_t i = 0; i < samples.values().size(); ++i) {
             const double value = samples.values()[i];
             if (part.is_n ? value > 0.0 : value >= 0.0) continue;
@@ -57,11 +77,13 @@ std::vector<double> common_wavelengths(const Spectrum& n, const Spectrum& k)
 
 std::string refractiveindex_yaml_from_spd(std::string_view n_text, std::string_view n_name,
                                           std::string_view k_text, std::string_view k_name,
-                                          std::string_view references)
+                                          std::string_view references,
+                                          std::vector<std::string>& changes)
 {
     DiagnosticList problems;
-    const auto n = read_part({n_text, n_name, true}, problems);
-    const auto k = read_part({k_text, k_name, false}, problems);
+    std::vector<std::string> mended;
+    const auto n = read_part({n_text, n_name, true}, problems, mended);
+    const auto k = read_part({k_text, k_name, false}, problems, mended);
     problems.throw_if_any();
     const std::vector<double> wavelengths = common_wavelengths(*n, *k);
     if (wavelengths.size() < 2)
@@ -69,13 +91,14 @@ std::string refractiveindex_yaml_from_spd(std::string_view n_text, std::string_v
             {std::string(k_name), 0, "wavelength",
              fmt::format("must overlap {:g} … {:g} nm of {} (got {:g} … {:g})", n->first_nm(),
                          n->last_nm(), n_name, k->first_nm(), k->last_nm())});
-    const std::vector<double> n_values = n->values_at(wavelengths, Interpolation::linear);
-    const std::vector<double> k_values = k->values_at(wavelengths, Interpolation::linear);
+    changes.insert(changes.end(), mended.begin(), mended.end());
     return medium_yaml({.name = {},
                         .references = std::string(references),
+                        .comments = changes_text(mended),
                         .wavelengths_nm = wavelengths,
-                        .n = n_values,
-                        .k = &k_values});
+                        .n = n->values_at(wavelengths, Interpolation::linear),
+                        .k = k->values_at(wavelengths, Interpolation::linear),
+                        .has_k = true});
 }
 
 }  // namespace nacre::spectral

@@ -41,7 +41,12 @@ std::optional<std::string> kind_problem(const Spectrum& samples, SpectrumKind ki
     const auto [lowest, highest] = std::ranges::minmax(samples.values());
     if (kind == SpectrumKind::reflectance) {
         constexpr double kMost = 2.0;
-        if (lowest >= 0.0 && highest <= kMost) return std::nullopt;
+        if (lowest >= 0.0 && lowest <= 1.0 && highest <= kMost) return std::nullopt;
+        // What fluoresces takes its light from other wavelengths.
+        if (lowest > 1.0 && highest <= kMost)
+            return fmt::format(
+                "a reflectance must be ≤ 1 somewhere, 1 for all of the light (got {:g} … {:g})",
+                lowest, highest);
         return fmt::format(
             "a reflectance must be in [0, {:g}], 1 for all of the light (got {:g} … {:g})", kMost,
             lowest, highest);
@@ -49,6 +54,40 @@ std::optional<std::string> kind_problem(const Spectrum& samples, SpectrumKind ki
     if (lowest < 0.0) return fmt::format("an emission must be ≥ 0 (got {:g})", lowest);
     if (highest == 0.0) return "an emission must be > 0 somewhere";
     return std::nullopt;
+}
+
+namespace {
+
+/// What may be per cent although nobody says so; nothing for what cannot.
+std::optional<std::string> unit_problem(const NamedSpectrum& spectrum)
+{
+    if (spectrum.unit_stated || spectrum.kind != SpectrumKind::reflectance) return std::nullopt;
+    const auto [lowest, highest] = std::ranges::minmax(spectrum.samples.values());
+    if (highest <= 1.0) return std::nullopt;
+    return fmt::format(
+        "must be ratios or per cent, and the file does not say which (got {:g} … {:g}): give a "
+        "scale, 0.01 for per cent, 1 for ratios above 1 (--scale of nacre library import, scale= "
+        "in Python)",
+        lowest, highest);
+}
+
+}  // namespace
+
+void apply(const ReadAs& said, std::vector<NamedSpectrum>& spectra, const std::string& file)
+{
+    FileProblems problems(file);
+    for (NamedSpectrum& spectrum : spectra) {
+        if (said.kind) spectrum.kind = said.kind;
+        if (said.scale) {
+            std::vector<double> values = spectrum.samples.values();
+            for (double& value : values) value *= *said.scale;
+            spectrum.samples = {spectrum.samples.wavelengths_nm(), std::move(values)};
+            spectrum.unit_stated = true;
+        }
+        if (auto problem = unit_problem(spectrum))
+            problems.add(0, spectrum.name.empty() ? "values" : spectrum.name, std::move(*problem));
+    }
+    problems.throw_if_any();
 }
 
 SpectrumFormat spectrum_format(std::string_view text, std::string_view file)
@@ -79,7 +118,9 @@ SpectrumFormat spectrum_format(std::string_view text, std::string_view file)
     return SpectrumFormat::csv;
 }
 
-std::vector<NamedSpectrum> read_spectra(std::string_view text, std::string_view file)
+namespace {
+
+std::vector<NamedSpectrum> read_format(std::string_view text, std::string_view file)
 {
     switch (spectrum_format(text, file)) {
         case SpectrumFormat::spd:
@@ -92,6 +133,18 @@ std::vector<NamedSpectrum> read_spectra(std::string_view text, std::string_view 
             break;
     }
     return read_csv_spectra(text, file);
+}
+
+}  // namespace
+
+std::vector<NamedSpectrum> read_spectra(std::string_view text, std::string_view file,
+                                        const ReadAs& said)
+{
+    check_size(text, std::string(file));
+    const std::string decoded = utf8_of_utf16(text);
+    std::vector<NamedSpectrum> spectra = read_format(decoded.empty() ? text : decoded, file);
+    apply(said, spectra, std::string(file));
+    return spectra;
 }
 
 }  // namespace nacre::spectral

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "illuminant_table.h"
-#include "nacre/core/file_io.h"
 #include "nacre/core/resources.h"
 #include "shipped.h"
 
@@ -13,15 +12,13 @@ namespace nacre::spectral {
 
 namespace {
 
-NamedSpectrum load_spectrum(std::string_view key)
+NamedSpectrum load_spectrum(std::string_view key, const EntrySource& source)
 {
     if (is_illuminant_key(key)) return illuminant_entry(key);
-    NamedSpectrum spectrum = [key] {
-        if (const auto own = user_library_file(EntryKind::spectrum, key))
-            return read_library_spectrum(read_text(*own), own->string());
-        // entry_identity() found the resource.
-        return read_library_spectrum(*find_resource(fmt::format("spectra/{}.csv", key)), key);
-    }();
+    NamedSpectrum spectrum =
+        source.own ? read_library_spectrum(source.text, source.name)
+                   // entry_source() found the resource.
+                   : read_library_spectrum(*find_resource(fmt::format("spectra/{}.csv", key)), key);
     spectrum.key = key;
     if (spectrum.name.empty()) spectrum.name = key;
     return spectrum;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 
 #include "nacre/core/limits.h"
 
@@ -36,6 +37,15 @@ std::size_t utf8_length(std::string_view text)
         return within(byte(1), low, high) && tail(2) && tail(3) ? 4 : 0;
     }
     return 0;
+}
+
+/// C0, DEL and C1, which steer terminals.
+bool is_control(std::string_view character)
+{
+    const auto first = static_cast<unsigned char>(character.front());
+    if (first < 0x20 || first == 0x7F) return true;
+    return character.size() == 2 && first == 0xC2 &&
+           static_cast<unsigned char>(character[1]) < 0xA0;
 }
 
 }  // namespace
@@ -98,10 +108,16 @@ std::vector<std::string_view> split_words(std::string_view text)
 std::string excerpt(std::string_view text)
 {
     constexpr std::size_t kMost = 60;
-    std::string shown(text.substr(0, kMost));
-    std::ranges::replace_if(
-        shown, [](char c) { return c < ' ' || c > '~'; }, '?');
-    return text.size() > kMost ? shown + "…" : shown;
+    std::string shown;
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+        const bool printable = length > 0 && !is_control(character);
+        shown += printable ? character : "?";
+        text.remove_prefix(character.size());
+        if (shown.size() >= kMost) break;
+    }
+    return text.empty() ? shown : shown + "…";
 }
 
 std::string clean_text(std::string_view text)
@@ -109,16 +125,66 @@ std::string clean_text(std::string_view text)
     std::string clean;
     while (!text.empty()) {
         const std::size_t length = utf8_length(text);
-        const auto first = static_cast<unsigned char>(text.front());
         if (length == 0)
             clean += '?';
-        else if (first < 0x20 || first == 0x7F)
+        else if (is_control(text.substr(0, length)))
             clean += ' ';
         else
             clean += text.substr(0, length);
         text.remove_prefix(std::max<std::size_t>(length, 1));
     }
     return std::string(trimmed(clean));
+}
+
+namespace {
+
+void append_utf8(std::string& text, std::uint32_t c)
+{
+    const auto tail = [&](int shift) { text += static_cast<char>(0x80U | ((c >> shift) & 0x3FU)); };
+    if (c < 0x80U) {
+        text += static_cast<char>(c);
+    } else if (c < 0x800U) {
+        text += static_cast<char>(0xC0U | (c >> 6U));
+        tail(0);
+    } else if (c < 0x10000U) {
+        text += static_cast<char>(0xE0U | (c >> 12U));
+        tail(6);
+        tail(0);
+    } else {
+        text += static_cast<char>(0xF0U | (c >> 18U));
+        tail(12);
+        tail(6);
+        tail(0);
+    }
+}
+
+}  // namespace
+
+std::string utf8_of_utf16(std::string_view text)
+{
+    const auto byte = [text](std::size_t i) -> std::uint32_t {
+        return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+    };
+    if (text.size() < 2) return {};
+    const bool marked =
+        (byte(0) == 0xFF && byte(1) == 0xFE) || (byte(0) == 0xFE && byte(1) == 0xFF);
+    if (!marked && (byte(0) == 0) == (byte(1) == 0)) return {};
+    const std::size_t high = marked ? (byte(0) == 0xFE ? 0 : 1) : (byte(0) == 0 ? 0 : 1);
+    const auto unit = [&](std::size_t i) { return (byte(i + high) << 8U) | byte(i + 1 - high); };
+    std::string decoded;
+    for (std::size_t i = marked ? 2 : 0; i < text.size(); i += 2) {
+        std::uint32_t c = unit(i);
+        const bool first = c >= 0xD800 && c < 0xDC00;
+        const std::uint32_t second = first && i + 2 < text.size() ? unit(i + 2) : 0U;
+        if (first && second >= 0xDC00 && second < 0xE000) {  // RFC 2781, 2.2
+            c = 0x10000U + ((c - 0xD800U) << 10U) + (second - 0xDC00U);
+            i += 2;
+        } else if (c >= 0xD800 && c < 0xE000) {
+            c = 0xFFFD;
+        }
+        append_utf8(decoded, c);
+    }
+    return decoded;
 }
 
 void FileProblems::add(int line, std::string field, std::string message)

@@ -42,11 +42,16 @@ private:
 /// Words between spaces, tabs and commas.
 [[nodiscard]] std::vector<std::string_view> split_words(std::string_view text);
 
-/// The start of what a user wrote, for a message: bytes that may be no UTF-8 become `?`.
+/// The start of what a user wrote, for a message: control characters and bytes that are no UTF-8
+/// become `?`.
 [[nodiscard]] std::string excerpt(std::string_view text);
 
 /// The same on one line and in UTF-8: control characters become spaces, other bytes `?`.
 [[nodiscard]] std::string clean_text(std::string_view text);
+
+/// UTF-8 of a text in UTF-16, by its byte order mark or a zero in its first two bytes; empty for
+/// any other text. What is no character becomes U+FFFD.
+[[nodiscard]] std::string utf8_of_utf16(std::string_view text);
 
 /// What is wrong with one file; after kMaxProblems only that there is more.
 class FileProblems {

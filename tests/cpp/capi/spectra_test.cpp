@@ -68,7 +68,8 @@ TEST(CapiReadSpectra, OfATable)
 {
     const std::string_view csv = "# KIND: emission\n# TAGS: lamp, mine\nnm,a,b\n400,1,2\n500,3,4\n";
     nacre_spectra* spectra = nullptr;
-    ASSERT_EQ(nacre_read_spectra(csv.data(), csv.size(), "two.csv", &spectra), NACRE_OK);
+    ASSERT_EQ(nacre_read_spectra(csv.data(), csv.size(), "two.csv", nullptr, 0.0, &spectra),
+              NACRE_OK);
     ASSERT_EQ(nacre_spectra_count(spectra), 2U);
     nacre_spectrum second;
     const char* tags = nullptr;
@@ -84,8 +85,21 @@ TEST(CapiReadSpectra, OfATable)
     EXPECT_EQ(nacre_spectra_count(nullptr), 0U);
 
     const std::string_view bad = "400 1\n300 2\n";
-    EXPECT_EQ(error(nacre_read_spectra(bad.data(), bad.size(), "lamp.spd", &spectra)).substr(0, 11),
-              "lamp.spd:2:");
+    const auto read = [&spectra](std::string_view text, const char* kind, double scale) {
+        return nacre_read_spectra(text.data(), text.size(), "lamp.spd", kind, scale, &spectra);
+    };
+    EXPECT_EQ(error(read(bad, "", 0.0)).substr(0, 11), "lamp.spd:2:");
+
+    const std::string_view dark = "400 1.7\n500 0.5\n";
+    EXPECT_EQ(error(read(dark, "reflectance", 0.0)).substr(0, 48),
+              "lamp.spd: values: must be ratios or per cent, an");
+    EXPECT_EQ(error(read(dark, "colour", 0.0)).substr(0, 22), "kind: must be emission");
+    EXPECT_EQ(error(read(dark, "", -1.0)).substr(0, 22), "scale: must be finite ");
+    ASSERT_EQ(read(dark, "reflectance", 0.01), NACRE_OK);
+    ASSERT_EQ(nacre_spectra_at(spectra, 0, &second, nullptr), NACRE_OK);
+    EXPECT_STREQ(second.kind, "reflectance");
+    EXPECT_EQ(second.values[0], 0.017);
+    nacre_spectra_free(spectra);
 }
 
 class OwnEntries : public ::testing::Test {

@@ -83,6 +83,11 @@ TEST_F(FileIo, WritesIntoTheCurrentFolder)
 TEST_F(FileIo, ReadingNamesWhatIsWrong)
 {
     EXPECT_INPUT_ERROR((void)read_text(folder_ / "none.yml"), "none.yml: there is no such file");
+    for (const char* uri : {"ocio://default", "https://a.org/x.yml", "file:///x.spd", "s3+x://y"})
+        EXPECT_INPUT_ERROR((void)read_text(uri),
+                           std::string(uri) + ": must be a file; this is a URI");
+    for (const char* path : {"://x", "a b://x", "none//x", "none:/x", "ä://x"})
+        EXPECT_INPUT_ERROR((void)read_text(path), "there is no such file");
     EXPECT_INPUT_ERROR((void)read_text(folder_), "it is a folder");
     write_atomically(folder_ / "big", std::string(101, 'x'));
     EXPECT_EQ(read_text(folder_ / "big", 101).size(), 101u);

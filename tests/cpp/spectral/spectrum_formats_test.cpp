@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "nacre/core/limits.h"
-#include "nacre/spectral/optical_constants.h"
 #include "nacre/spectral/spectrum_files.h"
 #include "support/expect.h"
 
@@ -203,6 +203,81 @@ TEST(Cgats, IsAsLongAsItSays)
     EXPECT_EQ(spectra.size(), 3u);
 }
 
+// Each of these files has one fault, and one message.
+TEST(Messages, OfOneFaultAreOne)
+{
+    struct Case {
+        const char* file;
+        std::string text, message;
+    };
+    const std::string row = "1 red 0.5 0.25\n";
+    std::string no_fields = kChart, twice = kChart;
+    no_fields.replace(no_fields.find("SPECTRAL_NM410 SPECTRAL_NM400"), 29, "RGB_R RGB_G");
+    twice.replace(twice.find("NM410"), 5, "NM400");
+    std::string tall = "nm,a\n",
+                wide = "BEGIN_DATA_FORMAT\nnm400 nm410\nEND_DATA_FORMAT\nBEGIN_DATA\n";
+    for (std::size_t i = 1; i <= kMaxSamples + 60; ++i) tall += std::to_string(100 + i) + ",1\n";
+    for (std::size_t i = 0; i <= kMaxSpectra + 60; ++i) wide += "1 1\n";
+    for (const auto& [file, text, message] : {
+             Case{"x.cgats", no_fields + row + row + "END_DATA\n",
+                  "x.cgats:6: BEGIN_DATA_FORMAT: must have two or more fields such as "
+                  "SPECTRAL_NM380"},
+             Case{"x.cgats", twice + row + row + "END_DATA\n",
+                  "x.cgats:6: BEGIN_DATA_FORMAT: must have 400 nm once only"},
+             // A word too few or too many ends with its line, and says nothing of how many there
+             // are.
+             Case{"x.cgats", kChart + row + "2 blue 0.5\n" + row + "END_DATA\n",
+                  "x.cgats:12: must have 4 words as there are fields (got 3)"},
+             Case{"x.cgats", kChart + row + "2 dark blue 0.5 0.25\nEND_DATA\n",
+                  "x.cgats:12: must have 4 words as there are fields (got 5)"},
+             Case{"x.cgats", kChart + row + "2 blue 0.5 x\n" + row + "END_DATA\n",
+                  "x.cgats:12: 400 nm: must be a finite number (got 'x')"},
+             Case{"x.cgats", wide + "END_DATA\n",
+                  "x.cgats:10005: must have at most 10000 sets of data"},
+             Case{"x.csv", tall, "x.csv:100002: must have at most 100000 rows"},
+             Case{"x.csv", "nm,a\n400,1\nx,1\n420,1\n",
+                  "x.csv:3: wavelength: must be a finite number (got 'x')"},
+             Case{"x.csv", "nm,a\nx,1\n420,1\n",
+                  "x.csv:2: wavelength: must be a finite number (got 'x')"},
+             Case{"x.csv", "nm,a\n400,1\n500\n",
+                  "x.csv:3: must have 2 numbers as the rows before (got 1)"},
+             Case{"x.spd", "400 1\n500\n",
+                  "x.spd:2: must be a wavelength and a value (got 1 words)"},
+             Case{"x.spd", "400 1\nx 1\n420 1\n",
+                  "x.spd:2: wavelength: must be a finite number (got 'x')"},
+             Case{"x.spdx", spdx("<SpectralData>1</SpectralData>"),
+                  "x.spdx:6: SpectralData.wavelength: is missing"},
+         })
+        EXPECT_EQ(test::input_error_of(
+                      [&, &text = text, &file = file] { (void)read_spectra(text, file); }),
+                  message);
+}
+
+TEST(Messages, ShowWhatAUserWrote)
+{
+    // "λ" in UTF-8; a lone byte of Latin-1; ESC and its C1 form; what is long is cut between
+    // letters.
+    for (const auto& [cell, shown] :
+         {std::pair<std::string, std::string>{"\xCE\xBB (nm)", "λ (nm)"},
+          {"5\xB5m", "5?m"},
+          {"a\x1B[1m", "a?[1m"},
+          {"a\xC2\x9B"
+           "1m",
+           "a?1m"},
+          {std::string(59, 'x') + "\xCE\xBBy", std::string(59, 'x') + "λ…"},
+          {std::string(60, 'x'), std::string(60, 'x')}})
+        EXPECT_INPUT_ERROR((void)read_csv_spectra("nm,a\n400," + cell + "\n500,1\n", "x"),
+                           "(got '" + shown + "')");
+}
+
+TEST(Cgats, ReadsSetsOverSeveralLines)
+{
+    const auto spectra = read_cgats(kChart + "1\n red 0.5\n0.25 2 blue\n0.75 1\nEND_DATA\n", "x");
+    ASSERT_EQ(spectra.size(), 2U);
+    EXPECT_EQ(spectra[0].samples.values(), (Numbers{0.25, 0.5}));
+    EXPECT_EQ(spectra[1].samples.values(), (Numbers{1, 0.75}));
+}
+
 TEST(Cgats, NamesEveryProblemWithItsLine)
 {
     EXPECT_EQ(test::input_error_of([] {
@@ -236,6 +311,89 @@ TEST(Cgats, KeepsToItsLimits)
     EXPECT_INPUT_ERROR((void)read_cgats(wide, "x"), "must have at most 100000 fields");
 }
 
+std::string cgats_of(const std::string& fields, const std::string& row, const std::string& top = "")
+{
+    return "CGATS.17\n" + top + "BEGIN_DATA_FORMAT\n" + fields + "\nEND_DATA_FORMAT\nBEGIN_DATA\n" +
+           row + "\nEND_DATA\n";
+}
+
+// A black patch in per cent has the numbers of a fluorescent colour in ratios.
+TEST(PerCent, IsNotTakenForRatiosInAnyFormat)
+{
+    struct Case {
+        const char* file;
+        std::string text;
+    };
+    const std::string argyll = "SPEC_400 SPEC_410";
+    for (const auto& [file, text] :
+         {Case{"x.cgats", cgats_of("SPECTRAL_NM400 SPECTRAL_NM410", "1.7 0.5")},
+          Case{"x.cgats", cgats_of("nm400 nm410", "1.7 0.5")},
+          Case{"x.sp", cgats_of(argyll, "1.7 0.5")}, Case{"x.spd", "400 1.7\n410 0.5\n"},
+          Case{"x.csv", "400,1.7\n410,0.5\n"}, Case{"x.csv", "nm,a,b\n400,0.9,1.7\n410,0.9,0.5\n"},
+          Case{"x.spdx", spdx("<SpectralQuantity>R-Factor</SpectralQuantity>\n"
+                              "<SpectralData wavelength=\"400\">1.7</SpectralData>\n"
+                              "<SpectralData wavelength=\"410\">0.5</SpectralData>\n")}}) {
+        const auto read = [&, &file = file, &text = text](std::optional<double> scale) {
+            return read_spectra(text, file, {SpectrumKind::reflectance, scale})
+                .back()
+                .samples.values();
+        };
+        EXPECT_INPUT_ERROR((void)read({}),
+                           "must be ratios or per cent, and the file does not say which (got 0.5 … "
+                           "1.7): give a scale, 0.01 for per cent, 1 for ratios");
+        EXPECT_EQ(read(1.0), (Numbers{1.7, 0.5})) << text;
+        EXPECT_EQ(read(0.01), (Numbers{1.7 * 0.01, 0.5 * 0.01})) << text;
+        EXPECT_NO_THROW((void)read_spectra(text, file, {SpectrumKind::emission, {}})) << text;
+    }
+}
+
+TEST(PerCent, IsReadWhereTheFileSaysSo)
+{
+    const auto read = [](const std::string& text) {
+        return read_spectra(text, "x.cgats").front().samples.values();
+    };
+    EXPECT_EQ(read(cgats_of("SPECTRAL_PCT400 SPECTRAL_PCT410", "1.7 1.2")),
+              (Numbers{1.7 * 0.01, 1.2 * 0.01}));
+    EXPECT_EQ(read(cgats_of("SPECTRAL_DEC400 SPECTRAL_DEC410", "1.5 0.5")), (Numbers{1.5, 0.5}));
+    EXPECT_EQ(read(cgats_of("SPEC_400 SPEC_410", "1.5 50", "SPECTRAL_NORM \"100\"\n")),
+              (Numbers{1.5 * 0.01, 50 * 0.01}));
+    EXPECT_EQ(read(cgats_of("SPEC_400 SPEC_410", "1.5 0.5", "SPECTRAL_NORM 1\n")),
+              (Numbers{1.5, 0.5}));
+    // Of one field nothing is known.
+    EXPECT_INPUT_ERROR((void)read(cgats_of("SPECTRAL_PCT400 SPECTRAL_NM410", "1.7 1.2")),
+                       "must be ratios or per cent");
+    // Whoever writes KIND writes what a library holds.
+    EXPECT_EQ(read_spectra("# KIND: reflectance\n400,1.5\n500,0.5\n", "x.csv")[0].samples.values(),
+              (Numbers{1.5, 0.5}));
+}
+
+TEST(PerCent, NamesEveryPatch)
+{
+    const std::string text =
+        cgats_of("SAMPLE_NAME nm400 nm410", "white 96 97\nblack 1.2 1.7\nred 0.5 1");
+    EXPECT_EQ(
+        test::input_error_of([&] { (void)read_spectra(text, "c.txt"); }),
+        "c.txt: white: must be ratios or per cent, and the file does not say which (got 96 … 97): "
+        "give a scale, 0.01 for per cent, 1 for ratios above 1 (--scale of nacre library import, "
+        "scale= in Python)\n"
+        "c.txt: black: must be ratios or per cent, and the file does not say which (got 1.2 … "
+        "1.7): "
+        "give a scale, 0.01 for per cent, 1 for ratios above 1 (--scale of nacre library import, "
+        "scale= in Python)");
+}
+
+// Fluorescence moves light; it makes none.
+TEST(Reflectance, IsNotAboveOneEverywhere)
+{
+    const Spectrum above({400, 700}, {1.2, 1.7}), once({400, 700}, {1.0, 1.7});
+    EXPECT_EQ(kind_problem(above, SpectrumKind::reflectance),
+              "a reflectance must be ≤ 1 somewhere, 1 for all of the light (got 1.2 … 1.7)");
+    EXPECT_EQ(kind_problem(once, SpectrumKind::reflectance), std::nullopt);
+    EXPECT_EQ(kind_problem(above, SpectrumKind::emission), std::nullopt);
+    EXPECT_INPUT_ERROR((void)read_library_spectrum("# KIND: reflectance\n400,1.2\n700,1.7\n", "x"),
+                       "must be ≤ 1 somewhere");
+}
+
 TEST(SpectrumFormat, FollowsFromExtensionOrContent)
 {
     EXPECT_EQ(spectrum_format("", "x.csv"), SpectrumFormat::csv);
@@ -256,74 +414,6 @@ TEST(Texts, ComeAsUtf8OnOneLine)
     const auto spectra = read_csv_spectra(
         "# NAME: caf\xC3\xA9 caf\xE9 \xC0\xAF \xED\xA0\x80\x01z\n400,1\n500,1\n", "x.csv");
     EXPECT_EQ(spectra[0].name, "café caf? ?? ??? z");
-}
-
-TEST(CsvMedium, BecomesOpticalConstants)
-{
-    const std::string yaml = refractiveindex_yaml_from_csv(
-        "# NAME: My \"oil\"\nwavelength_nm,n,k\n400,1.5,0\n700,1.4,0.25\n", "oil.csv",
-        "me \\ 2020");
-    const Medium medium = parse_refractiveindex_yaml(yaml, "oil");
-    EXPECT_EQ(medium.name, "My \"oil\"");
-    EXPECT_EQ(medium.references, "me \\ 2020");
-    EXPECT_COMPLEX_NEAR(medium.constants->at(700), Complex(1.4, 0.25), 1e-15);
-    EXPECT_COMPLEX_NEAR(medium.constants->at(550), Complex(1.45, 0.125), 1e-12);
-}
-
-TEST(CsvMedium, ReadsWhatRefractiveindexInfoExports)
-{
-    const auto index = [](const char* text) {
-        return parse_refractiveindex_yaml(refractiveindex_yaml_from_csv(text, "x.csv", ""), "x")
-            .constants->at(500);
-    };
-    EXPECT_COMPLEX_NEAR(index("wl,n\n0.4,1.5\n0.5,1.4\n"), Complex(1.4, 0), 1e-15);
-    EXPECT_COMPLEX_NEAR(index("wl,n\n0.4,1.5\n0.5,1.4\n\nwl,k\n0.4,1\n0.5,2\n"), Complex(1.4, 2),
-                        1e-15);
-    EXPECT_INPUT_ERROR((void)index("wl,n\n0.4,1.5\n0.5,1.4\nwl,k\n0.4,1\n0.6,2\n"),
-                       "x.csv:4: must have the wavelengths of the table before");
-}
-
-TEST(CsvMedium, NamesEveryProblemWithItsLine)
-{
-    EXPECT_EQ(test::input_error_of([] {
-                  (void)refractiveindex_yaml_from_csv("nm,n,k\n400,0,1\n500,1,-1\n", "x.csv", "");
-              }),
-              "x.csv:2: n: must be > 0 (got 0)\nx.csv:3: k: must be ≥ 0 (got -1)");
-    EXPECT_INPUT_ERROR((void)refractiveindex_yaml_from_csv("400,1\n500,1\n", "x.csv", ""),
-                       "must have a row of names with a column n");
-}
-
-TEST(MediumFromSpd, StandsAtTheWavelengthsOfBothFiles)
-{
-    const std::string yaml =
-        refractiveindex_yaml_from_spd("# n\n300 1.5\n400 0.5\n700 1.1\n", "Au.eta.spd",
-                                      "350 2\n400 3\n600 4\n800 6\n", "Au.k.spd", "A \"book\"");
-    const Medium gold = parse_refractiveindex_yaml(yaml, "gold");
-    EXPECT_EQ(gold.references, "A \"book\"");
-    EXPECT_EQ(gold.constants->range_nm(), (std::array<double, 2>{350, 700}));
-    EXPECT_COMPLEX_NEAR(gold.constants->at(350), Complex(1.0, 2.0), 1e-12);
-    EXPECT_COMPLEX_NEAR(gold.constants->at(400), Complex(0.5, 3.0), 1e-12);
-    EXPECT_COMPLEX_NEAR(gold.constants->at(600), Complex(0.9, 4.0), 1e-12);
-    EXPECT_COMPLEX_NEAR(gold.constants->at(700), Complex(1.1, 5.0), 1e-12);
-}
-
-TEST(MediumFromSpd, NamesWhatIsWrongWithEitherFile)
-{
-    const auto read = [](const char* n, const char* k) {
-        return test::input_error_of(
-            [&] { (void)refractiveindex_yaml_from_spd(n, "a.eta.spd", k, "a.k.spd", ""); });
-    };
-    const std::string both = read("400 x\n500 1\n", "400\n");
-    EXPECT_NE(both.find("a.eta.spd:1: value: must be a finite number"), std::string::npos) << both;
-    EXPECT_NE(both.find("a.k.spd:1: must be a wavelength and a value"), std::string::npos) << both;
-    const std::string signs = read("400 0\n500 1\n", "400 1\n500 -1\n");
-    EXPECT_NE(signs.find("a.eta.spd: n: must be > 0 (got 0 at 400 nm)"), std::string::npos)
-        << signs;
-    EXPECT_NE(signs.find("a.k.spd: k: must be ≥ 0 (got -1 at 500 nm)"), std::string::npos) << signs;
-    EXPECT_NE(
-        read("400 1\n500 1\n", "600 1\n700 1\n")
-            .find("a.k.spd: wavelength: must overlap 400 … 500 nm of a.eta.spd (got 600 … 700)"),
-        std::string::npos);
 }
 
 }  // namespace

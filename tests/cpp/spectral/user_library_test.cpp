@@ -76,12 +76,64 @@ TEST(UserLibrary, ReadsAFileAgainThatWasChanged)
     const auto save = [](const std::string& text) {
         return save_user_entries({{EntryKind::spectrum, "lamp", text}}, true).front();
     };
-    const fs::path file = save(kLight);
-    fs::last_write_time(file, fs::last_write_time(file) - std::chrono::seconds(2));
+    (void)save(kLight);
     const NamedSpectrum& before = library_spectrum("lamp");
     (void)save("# KIND: emission\n400,3\n700,4\n");
     EXPECT_EQ(library_spectrum("lamp").samples.values(), (std::vector<double>{3, 4}));
     EXPECT_EQ(before.samples.values(), (std::vector<double>{1, 2}));  // stays valid
+    (void)save(kLight);
+    EXPECT_EQ(&library_spectrum("lamp"), &before);  // what was read before is not read twice
+}
+
+/// The entry `x` with a number that tells versions apart; all are of one size.
+struct Versions {
+    EntryKind kind;
+    std::string file;
+    std::string (*text)(int number);
+    double (*number)();
+};
+
+const Versions kVersions[] = {
+    {EntryKind::medium, "optical_constants/x.yml",
+     [](int i) {
+         return "DATA:\n  - type: tabulated n\n    data: |\n        0.3 1." + std::to_string(i) +
+                "\n        0.9 1." + std::to_string(i) + "\n";
+     },
+     [] { return (library_medium("x").constants->at(550).real() - 1.0) * 1000.0; }},
+    {EntryKind::spectrum, "spectra/x.csv",
+     [](int i) { return "# KIND: emission\n400," + std::to_string(i) + "\n700,1\n"; },
+     [] { return library_spectrum("x").samples.values().front(); }},
+};
+
+// Whatever a file system says of two contents may be the same: size, inode and both times.
+TEST(UserLibrary, TimesAndSizesHideNoChange)
+{
+    const auto in_place = [](const fs::path& file, const std::string& text) { write(file, text); };
+    const auto by_rename = [](const fs::path& file, const std::string& text) {
+        fs::path aside = file;
+        aside += ".new";
+        write(aside, text);
+        fs::rename(aside, file);
+    };
+    const auto unpacked = [](const fs::path& file, const std::string& text) {
+        const auto old_time = fs::file_time_type() + std::chrono::hours(1);
+        fs::remove(file);
+        write(file, text);
+        fs::last_write_time(file, old_time);
+    };
+    const auto saved = [](const fs::path& file, const std::string& text) {
+        const auto kind = file.extension() == ".yml" ? EntryKind::medium : EntryKind::spectrum;
+        (void)save_user_entries({{kind, "x", text}}, true);
+    };
+    using Way = void (*)(const fs::path&, const std::string&);
+    for (const Versions& versions : kVersions)
+        for (const Way way : {Way(in_place), Way(by_rename), Way(unpacked), Way(saved)}) {
+            const test::OwnLibrary own;
+            for (int i = 100; i < 140; ++i) {
+                way(own.folder() / versions.file, versions.text(i));
+                ASSERT_NEAR(versions.number(), i, 1e-9) << versions.file;
+            }
+        }
 }
 
 TEST(UserLibrary, ShadowsNothing)

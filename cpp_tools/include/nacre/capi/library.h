@@ -31,6 +31,7 @@ NACRE_API const char* nacre_library_found(size_t index);
 typedef struct nacre_library_words {
     const char* formula; /**< chemical; "" where it has none, as every spectrum */
     const char* tags;    /**< one a line, without a line break after the last */
+    const char* changes; /**< what was put right when a medium was read, one a line as tags */
 } nacre_library_words;
 
 NACRE_API nacre_status nacre_library_words_of(int kind, const char* key,

@@ -47,9 +47,13 @@ typedef struct nacre_spectra nacre_spectra;
  * @param text  of a .csv, .spd, .spdx (IES TM-27-14) or CGATS file: by the extension of `file`,
  *              else by how it begins
  * @param file  what messages call it
+ * @param kind  "emission" or "reflectance": what the values are whatever the file says; NULL or ""
+ *              leaves it to the file
+ * @param scale multiplies the values: 1 for ratios, 0.01 for per cent; 0 leaves it to the file. A
+ *              reflectance above 1 is refused where nothing says which it is.
  */
 NACRE_API nacre_status nacre_read_spectra(const char* text, size_t bytes, const char* file,
-                                          nacre_spectra** spectra);
+                                          const char* kind, double scale, nacre_spectra** spectra);
 NACRE_API size_t nacre_spectra_count(const nacre_spectra* spectra);
 /**
  * @param spectrum  key: ""; kind: "" where the file does not tell; pointers into `spectra`

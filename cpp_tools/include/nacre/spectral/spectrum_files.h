@@ -32,6 +32,8 @@ struct NamedSpectrum {
     std::vector<std::string> tags;
     std::optional<SpectrumKind> kind;  ///< nothing where a file does not tell
     Spectrum samples;
+    /// Whether a file says that its reflectances are ratios, or per cent, which are ratios here.
+    bool unit_stated = false;
 
     /// Reflectances as Spectrum::on_grid() has it; emissions linear, as the CIE reads illuminants.
     [[nodiscard]] Sampled on_grid() const;
@@ -39,9 +41,21 @@ struct NamedSpectrum {
     [[nodiscard]] std::vector<double> values_at(std::span<const double> wavelengths_nm) const;
 };
 
-/// What is wrong with the values for the kind: a reflectance outside 0 … 2, an emission that is
-/// negative somewhere or 0 everywhere; nothing for a good one.
+/// What is wrong with the values for the kind: a reflectance outside 0 … 2 or above 1 everywhere,
+/// an emission that is negative somewhere or 0 everywhere; nothing for a good one.
 [[nodiscard]] std::optional<std::string> kind_problem(const Spectrum& samples, SpectrumKind kind);
+
+/// What a user says of a file that does not tell.
+struct ReadAs {
+    std::optional<SpectrumKind> kind;  ///< of all; also in place of what the file says
+    std::optional<double> scale;       ///< multiplies all values: 1 for ratios, 0.01 for per cent
+};
+
+/// Kind and scale as the user says.
+/// @throws InputError for a reflectance above 1 somewhere of which neither the file nor the user
+///         says whether it is a ratio, which a fluorescent colour may have, or per cent, as the
+///         black patch of a chart has it.
+void apply(const ReadAs& said, std::vector<NamedSpectrum>& spectra, const std::string& file);
 
 /// Rows of wavelength and values, separated by one of `,` `;` or tabs. A first row of names is
 /// optional: `wavelength_nm` or `wavelength_um` (`wl`) and the names of the spectra; without it
@@ -65,7 +79,8 @@ enum class SpectrumFormat { csv, spd, spdx, cgats };
 
 /// By the extension of `file` (.csv, .spd, .spdx, .cgats, .ti3, .sp), else by how the text starts.
 [[nodiscard]] SpectrumFormat spectrum_format(std::string_view text, std::string_view file);
-[[nodiscard]] std::vector<NamedSpectrum> read_spectra(std::string_view text, std::string_view file);
+[[nodiscard]] std::vector<NamedSpectrum> read_spectra(std::string_view text, std::string_view file,
+                                                      const ReadAs& said = {});
 
 /// The same for one spectrum whose KIND is stated: the form of the files of a library.
 [[nodiscard]] NamedSpectrum read_library_spectrum(std::string_view text, std::string_view file);
