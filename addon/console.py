@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import os
 import re
 import shutil
@@ -26,7 +27,7 @@ def own_stdout(verbose: bool) -> Iterator[TextIO]:
     Blender writes from C++, so the file descriptor itself is turned aside: to standard error when
     verbose, else to nowhere.
     """
-    sys.stdout.flush()
+    _flush()
     kept = os.dup(1)
     aside = os.dup(2) if verbose else os.open(os.devnull, os.O_WRONLY)
     os.dup2(aside, 1)
@@ -35,9 +36,16 @@ def own_stdout(verbose: bool) -> Iterator[TextIO]:
         with os.fdopen(os.dup(kept), "w", encoding="utf-8") as stream:
             yield stream
     finally:
-        sys.stdout.flush()
+        _flush()
         os.dup2(kept, 1)
         os.close(kept)
+
+
+def _flush() -> None:
+    """Python's buffer and that of C, which Blender prints through: into a pipe it writes late."""
+    sys.stdout.flush()
+    with contextlib.suppress(OSError, TypeError, AttributeError):  # where C's is not to be had so
+        ctypes.CDLL(None).fflush(None)
 
 
 def mute_removed_engine_noise() -> None:

@@ -11,6 +11,7 @@ import argparse
 import json
 import sys
 import time
+import traceback
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -28,6 +29,7 @@ from .core.stack import StackError, edit, is_path, read_stack, write_template
 from .core.values import AssignmentError, parse_assignments
 from .nodes import passes, thickness
 from .nodes import scene as scene_setup
+from .nodes.image import mend_spaces
 from .nodes.material import create_material, input_socket, set_values
 from .nodes.probe import in_picture
 from .options import DEFAULT_VIEW, UsageError, parse
@@ -73,10 +75,8 @@ def main(argv: Sequence[str]) -> int:
         return 0
     except SystemExit as done:  # --help
         return int(done.code or 0)
-    except UsageError as error:
-        return _fail(error)
-    except _ERRORS as error:
-        return _fail(error)
+    except Exception as error:
+        return _fail(_problem(error, verbose=not {"-v", "--verbose"}.isdisjoint(argv)))
 
 
 def _many(argv: list[str], options: argparse.Namespace) -> int:
@@ -102,15 +102,26 @@ def _many(argv: list[str], options: argparse.Namespace) -> int:
 def _render_row(options: argparse.Namespace, path: Path) -> str:
     """Renders one picture of many; the problem, or nothing."""
     try:
+        path.parent.mkdir(parents=True, exist_ok=True)
         output.check([path])
         _run(options, [path])
-    except (UsageError, *_ERRORS) as error:
-        return str(error)
+    except Exception as error:
+        return _problem(error, options.verbose)
     return ""
 
 
-def _fail(error: Exception) -> int:
-    for line in str(error).splitlines():
+def _problem(error: Exception, verbose: bool) -> str:
+    """What to say of an error. One that nobody thought of, mostly Blender's own, is one line too."""
+    if isinstance(error, (UsageError, *_ERRORS)):
+        return str(error)
+    if verbose:
+        traceback.print_exc()
+    said = " ".join(f"{type(error).__name__}: {error}".split())
+    return f"Blender {bpy.app.version_string} gave up: {said}; -v tells where"
+
+
+def _fail(problem: str) -> int:
+    for line in problem.splitlines():
         print(f"nacre render: {line}", file=sys.stderr)
     return 1
 
@@ -223,7 +234,10 @@ def _stage_job(options: argparse.Namespace) -> Job:
     _animate(material, compiled, options)
     stage.scene.render.resolution_x, stage.scene.render.resolution_y = stage.size
     stage.scene.cycles.samples = stage.samples
-    _set_view(stage.scene, options.view or DEFAULT_VIEW, strict=options.view is not None)
+    if options.view:
+        _set_view(stage.scene, options.view)
+    else:
+        _default_view(job, options)
     return job
 
 
@@ -286,6 +300,7 @@ def _blend_job(options: argparse.Namespace) -> Job:
         bpy.ops.wm.open_mainfile(filepath=str(options.blend.absolute()), load_ui=False)
     except RuntimeError as error:
         raise UsageError(f"--blend: {options.blend}: cannot be opened: {error}") from error
+    mend_spaces()
     job = Job(bpy.context.scene)
     job.scene.render.engine = "CYCLES"
     library = Library.default()
@@ -299,7 +314,7 @@ def _blend_job(options: argparse.Namespace) -> Job:
         target.data.materials.clear()
         target.data.materials.append(material)
     if options.view:
-        _set_view(job.scene, options.view, strict=True)
+        _set_view(job.scene, options.view)
     return job
 
 
@@ -316,13 +331,22 @@ def _add_material(job: Job, compiled: CompiledMaterial, requested: str) -> bpy.t
     return material
 
 
-def _set_view(scene: bpy.types.Scene, name: str, *, strict: bool) -> None:
+def _set_view(scene: bpy.types.Scene, name: str) -> None:
     try:
         scene.view_settings.view_transform = name
-    except TypeError as error:
-        if strict:
-            raise UsageError(f"--view: {error}") from error
-        scene.view_settings.view_transform = "Standard"
+    except TypeError as error:  # it names those that the colour config has
+        known = str(error).partition("not found in (")[2].rstrip(")")
+        raise UsageError(f"--view: no view {name!r}; there are: {known}") from error
+
+
+def _default_view(job: Job, options: argparse.Namespace) -> None:
+    """Where the colour config has another: its own default, which Blender has put in place."""
+    try:
+        _set_view(job.scene, DEFAULT_VIEW)
+    except UsageError:
+        if any(path.lower().endswith(".png") for path in options.output):
+            view = job.scene.view_settings.view_transform
+            job.notes.append(f"the colour config has no view {DEFAULT_VIEW!r}; seen by {view!r}")
 
 
 def _set_picture(scene: bpy.types.Scene, options: argparse.Namespace) -> None:

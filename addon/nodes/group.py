@@ -12,7 +12,7 @@ import bpy
 from ..core.form import OSL
 from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
-from .image import table_image
+from .image import drop_unused, table_image
 from .script import fill_script_node
 
 SCHEMA_VERSION = 2
@@ -55,6 +55,7 @@ def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNod
         _fill(group, material, graph)
     except Exception:
         bpy.data.node_groups.remove(group)
+        drop_unused(material)
         raise
     _tag(group, material, form)
     return group

@@ -20,11 +20,15 @@ import traceback
 from collections.abc import Iterator
 from pathlib import Path
 
-import bpy
+# Nothing else may write an answer; what Blender says while it starts is not one.
+ANSWERS = os.dup(1)
+os.dup2(2, 1)
+
+import bpy  # noqa: E402
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from jobs import extension
+from jobs import extension  # noqa: E402
 
 
 def flush() -> None:
@@ -87,11 +91,10 @@ def answer(request: dict) -> dict:
 
 
 def main() -> None:
-    requests, answers = os.fdopen(os.dup(0)), os.fdopen(os.dup(1), "w")
-    # Nothing else may read a request or write an answer.
+    requests, answers = os.fdopen(os.dup(0)), os.fdopen(ANSWERS, "w")
+    # Nor may anything else read a request.
     nothing = os.open(os.devnull, os.O_RDWR)
     os.dup2(nothing, 0)
-    os.dup2(2, 1)
     for line in requests:
         print(json.dumps(answer(json.loads(line))), file=answers, flush=True)
     flush()
