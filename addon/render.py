@@ -27,7 +27,7 @@ from .core.oso import OsoError
 from .core.probe import Probe, ProbeError
 from .core.stack import StackError, edit, is_path, read_stack, write_template
 from .core.values import AssignmentError, parse_assignments
-from .nodes import passes, thickness
+from .nodes import passes, thickness, user_scene
 from .nodes import scene as scene_setup
 from .nodes.image import mend_spaces
 from .nodes.material import create_material, input_socket, set_values
@@ -150,7 +150,8 @@ def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
 def _probe(scene: bpy.types.Scene, options: argparse.Namespace) -> list[Probe]:
     if options.pixel and options.frames:
         scene.frame_set(options.frames[0])
-    return [in_picture(scene, scene.view_layers[0], tuple(pixel)) for pixel in options.pixel]
+    layer = user_scene.rendered_layers(scene)[0]
+    return [in_picture(scene, layer, tuple(pixel)) for pixel in options.pixel]
 
 
 def _summary(report: dict) -> str:
@@ -301,21 +302,52 @@ def _blend_job(options: argparse.Namespace) -> Job:
     except RuntimeError as error:
         raise UsageError(f"--blend: {options.blend}: cannot be opened: {error}") from error
     mend_spaces()
-    job = Job(bpy.context.scene)
+    job = Job(_chosen_scene(options))
+    refused = user_scene.refusals(job.scene, assigned=bool(options.assign))
+    if refused:
+        where = f"--blend: {options.blend}: the scene {job.scene.name}"
+        raise UsageError("\n".join(f"{where} {text}" for text in refused))
+    job.notes += [f"{options.blend}: {note}" for note in [user_scene.age_note()] if note]
+    job.notes += user_scene.show_alone(job.scene)
     job.scene.render.engine = "CYCLES"
-    library = Library.default()
-    for text in options.assign:
-        name, _, material_id = text.partition("=")
-        target = bpy.data.objects.get(name)
-        if target is None or not hasattr(target.data, "materials"):
-            known = ", ".join(o.name for o in bpy.data.objects if hasattr(o.data, "materials"))
-            raise UsageError(f"--assign: no object {name!r} takes a material; there are: {known}")
-        material = _add_material(job, library.load(material_id), options.form)
-        target.data.materials.clear()
-        target.data.materials.append(material)
+    _assign(job, options)
     if options.view:
         _set_view(job.scene, options.view)
     return job
+
+
+def _chosen_scene(options: argparse.Namespace) -> bpy.types.Scene:
+    if not options.scene:
+        return bpy.context.scene
+    scene = bpy.data.scenes.get(options.scene)
+    if scene is None:
+        known = ", ".join(scene.name for scene in bpy.data.scenes)
+        raise UsageError(f"--scene: no scene {options.scene!r}; there are: {known}")
+    return scene
+
+
+def _assign(job: Job, options: argparse.Namespace) -> None:
+    library = Library.default()
+    for text in options.assign:
+        name, _, material_id = text.partition("=")
+        there = user_scene.surfaces(job.scene)
+        if name not in there:
+            known = ", ".join(there) or "none"
+            raise UsageError(
+                f"--assign: no object {name!r} takes a material in the scene {job.scene.name}; "
+                f"there are: {known}{_elsewhere(name)}"
+            )
+        if there[name].hide_render:
+            job.notes.append(f"{name}: is not seen: it is hidden in renders")
+        material = _add_material(job, library.load(material_id), options.form)
+        problem = user_scene.put_on(there[name], material)
+        if problem:
+            raise UsageError(f"--assign: {name}: {problem}")
+
+
+def _elsewhere(name: str) -> str:
+    scenes = [scene.name for scene in bpy.data.scenes if name in user_scene.surfaces(scene)]
+    return f"; {name!r} is in: {', '.join(scenes)} (--scene)" if scenes else ""
 
 
 def _add_material(job: Job, compiled: CompiledMaterial, requested: str) -> bpy.types.Material:
@@ -354,7 +386,7 @@ def _set_picture(scene: bpy.types.Scene, options: argparse.Namespace) -> None:
     if options.size:
         render.resolution_x, render.resolution_y = options.size
     if options.samples:
-        cycles.samples = options.samples
+        user_scene.use_samples(scene, options.samples)
     if options.threads:
         render.threads_mode = "FIXED"
         render.threads = options.threads
@@ -385,7 +417,7 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
                 continue
             label = paths[0].name
             with console.Progress(label, options.quiet):
-                bpy.ops.render.render()
+                bpy.ops.render.render(scene=scene.name)
             for path in paths:
                 writer.save(path)
                 written.append(path)
@@ -396,6 +428,6 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
 
 def _render_passes(scene: bpy.types.Scene, options: argparse.Namespace, beside: Path) -> Path:
     path = beside.with_name(f"{beside.stem}_passes.exr")
-    with passes.rendered(scene, scene.view_layers[0], options.aov) as aside:
+    with passes.rendered(scene, user_scene.rendered_layers(scene)[0], options.aov) as aside:
         output.Writer(aside, layers=True).save(path)
     return path
