@@ -32,6 +32,7 @@ from .nodes import scene as scene_setup
 from .nodes.image import mend_spaces
 from .nodes.material import create_material, input_socket, set_values
 from .nodes.probe import in_picture
+from .nodes.stack import library_problem
 from .options import DEFAULT_VIEW, UsageError, parse
 from .scenes import StageError, build_stage
 
@@ -72,11 +73,21 @@ def main(argv: Sequence[str]) -> int:
                 print(json.dumps(report, sort_keys=True, default=Probe.data), file=stdout)
             elif not options.quiet or not outputs:
                 print(_summary(report), file=stdout)
-        return 0
+        return _fail("\n".join(_unknown(report))) if _unknown(report) else 0
     except SystemExit as done:  # --help
         return int(done.code or 0)
     except Exception as error:
         return _fail(_problem(error, verbose=not {"-v", "--verbose"}.isdisjoint(argv)))
+
+
+def _unknown(report: dict) -> list[str]:
+    """Of pixels that were asked for: films whose spectrum cannot be computed, and why. Of other
+    materials, and of films whose layers are not known, there is none."""
+    return [
+        f"--pixel {probe.pixel[0]} {probe.pixel[1]}: {probe.problem}"
+        for probe in report.get("probes", ())
+        if probe.film is not None and probe.problem
+    ]
 
 
 def _many(argv: list[str], options: argparse.Namespace) -> int:
@@ -90,6 +101,8 @@ def _many(argv: list[str], options: argparse.Namespace) -> int:
             else batch.read_rows(options.batch, folder, given)
         )
         report = batch.render(rows, folder, _render_row, options.quiet)
+        if options.gallery and library_problem():
+            print(f"nacre render: no swatches: {library_problem()}", file=sys.stderr)
         if options.gallery:
             report["page"] = str(gallery.write_page(folder, rows))
         if options.json:
@@ -128,6 +141,8 @@ def _fail(problem: str) -> int:
 
 def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
     started = time.monotonic()
+    if options.pixel and library_problem():
+        raise UsageError(f"--pixel: {library_problem()}")
     job = _blend_job(options) if options.blend else _stage_job(options)
     _set_picture(job.scene, options)
     for note in job.notes:
@@ -148,7 +163,9 @@ def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
 
 
 def _probe(scene: bpy.types.Scene, options: argparse.Namespace) -> list[Probe]:
-    if options.pixel and options.frames:
+    if not options.pixel:
+        return []
+    if options.frames:
         scene.frame_set(options.frames[0])
     layer = user_scene.rendered_layers(scene)[0]
     return [in_picture(scene, layer, tuple(pixel)) for pixel in options.pixel]
@@ -311,6 +328,10 @@ def _blend_job(options: argparse.Namespace) -> Job:
     job.notes += user_scene.show_alone(job.scene)
     job.scene.render.engine = "CYCLES"
     _assign(job, options)
+    lacking = user_scene.without_tables(job.scene)
+    if lacking:
+        raise UsageError("\n".join(f"--blend: {options.blend}: {text}" for text in lacking))
+    job.notes += user_scene.serve_wave_materials(job.scene)
     if options.view:
         _set_view(job.scene, options.view)
     return job
@@ -416,14 +437,30 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
             if options.resume and all(path.is_file() for path in paths):
                 continue
             label = paths[0].name
-            with console.Progress(label, options.quiet):
+            with console.Complaints() as complaints, console.Progress(label, options.quiet):
                 bpy.ops.render.render(scene=scene.name)
+            if complaints.of_shaders:
+                raise output.OutputError(_unloaded(complaints.of_shaders))
             for path in paths:
                 writer.save(path)
                 written.append(path)
             if options.aov:
                 written.append(_render_passes(scene, options, paths[0]))
     return written
+
+
+def _unloaded(complaints: list[str]) -> str:
+    """Of shaders that are embedded Cycles tells but a digest."""
+    said = "; ".join(complaints)
+    trees = [*bpy.data.node_groups, *(m.node_tree for m in bpy.data.materials if m.node_tree)]
+    scripts = [(tree, node) for tree in trees for node in tree.nodes if node.type == "SCRIPT"]
+    names = {
+        tree.name if tree in bpy.data.node_groups[:] else tree.id_data.name
+        for tree, node in scripts
+        if node.bytecode_hash and node.bytecode_hash in said
+    }
+    whose = f" of {', '.join(sorted(names))}" if names else ""
+    return f"Cycles could not load the shader{whose}, so that nothing is written: {said}"
 
 
 def _render_passes(scene: bpy.types.Scene, options: argparse.Namespace, beside: Path) -> Path:

@@ -10,7 +10,13 @@ from dataclasses import dataclass
 
 _PARAMETER = re.compile(r"^(o?param)\t(closure color|\S+)\t(\S+)\t([^%\n]*)(.*)$", re.MULTILINE)
 _LABEL = re.compile(r'%meta\{string,label,"([^"]*)"\}')
-_HEADER_COMMENT = re.compile(r"^# (?:Compiled by|options:).*\n", re.MULTILINE)
+# The compiler writes folders as they are, so that a quote or line end in one would end what it is in.
+_HEADER = re.compile(
+    r"\A(OpenShadingLanguage [^\n]*\n).*?^(?=(?:shader|surface|displacement|volume)\s)",
+    re.DOTALL | re.MULTILINE,
+)
+_SOURCE_LINE = re.compile(r"^#.*\n", re.MULTILINE)
+_SOURCE_FILE = re.compile(r'[ ]?%filename\{".*?"\}', re.DOTALL)
 
 
 class OsoError(Exception):
@@ -52,9 +58,12 @@ def _default(kind: str, text: str) -> tuple[float, ...] | str | None:
     return tuple(float(word) for word in text.split())
 
 
-def strip_provenance(text: str) -> str:
-    """The same program without the compiler's version and folders: equal shaders, equal bytes."""
-    return _HEADER_COMMENT.sub("", text)
+def strip_provenance(text: str, *names: str) -> str:
+    """The same program without the compiler's version, source lines and folders: equal shaders, equal
+    bytes. `names`: of files and folders that it was made from, wherever they are."""
+    for name in names:
+        text = text.replace(name, "")
+    return _SOURCE_FILE.sub("", _SOURCE_LINE.sub("", _HEADER.sub(r"\1", text)))
 
 
 def bytecode_hash(text: str) -> str:

@@ -12,7 +12,7 @@ import bpy
 from ..core.form import OSL
 from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
-from .image import drop_unused, table_image
+from .image import drop_unused, is_missing, table_image
 from .script import fill_script_node
 
 SCHEMA_VERSION = 2
@@ -43,9 +43,11 @@ _COLUMN, _ROW = 220.0, 190.0
 
 def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNodeTree:
     """The material's group; one of the same template and shader in the file is used again, unless
-    it is linked: that one may change with its own file."""
+    it is linked: that one may change with its own file. Nor is one whose tables are gone."""
     for group in bpy.data.node_groups:
         if group.library is not None or group.get(DIGEST) != material.digest:
+            continue
+        if any(node.type == "TEX_IMAGE" and is_missing(node.image) for node in group.nodes):
             continue
         if group.get(FORM) == form and group.get(SCHEMA) == SCHEMA_VERSION:
             return group

@@ -11,6 +11,10 @@ from collections.abc import Iterator
 
 import bpy
 
+from ..core.form import OSL
+from . import scene as scene_setup
+from .material import describe, group_node, missing_tables
+
 _WITH_SURFACE = ("MESH", "CURVE", "SURFACE", "FONT", "META", "CURVES", "POINTCLOUD")
 
 
@@ -95,6 +99,36 @@ def surfaces(scene: bpy.types.Scene) -> dict[str, bpy.types.Object]:
         if obj.type in _WITH_SURFACE:
             found.setdefault(obj.name, obj)
     return found
+
+
+def wave_materials(scene: bpy.types.Scene) -> list[bpy.types.Material]:
+    """Ours, of what is shown."""
+    slots = [slot for obj in surfaces(scene).values() for slot in obj.material_slots]
+    used = dict.fromkeys(slot.material for slot in slots)
+    return [material for material in used if group_node(material) is not None]
+
+
+def without_tables(scene: bpy.types.Scene) -> list[str]:
+    """Materials of ours that would be shown magenta, and why."""
+    return [
+        f"the material {material.name} lacks its tables {', '.join(missing_tables(material))}: assign it "
+        "again, or rebuild it in Blender"
+        for material in wave_materials(scene)
+        if missing_tables(material)
+    ]
+
+
+def serve_wave_materials(scene: bpy.types.Scene) -> list[str]:
+    """Turns on what they need, without which they would be black, or of one wavelength."""
+    needs = [(material.name, describe(material)) for material in wave_materials(scene)]
+    notes = []
+    scripted = [name for name, found in needs if found.form == OSL]
+    if scripted and scene_setup.use_osl(scene):
+        notes.append(f"{', '.join(scripted)}: Open Shading Language is on, which it needs")
+    dispersed = [name for name, found in needs if found.wavelength_per_path]
+    if dispersed and scene_setup.use_wavelengths(scene):
+        notes.append(f"{', '.join(dispersed)}: motion blur is on, it carries the wavelengths")
+    return notes
 
 
 def put_on(obj: bpy.types.Object, material: bpy.types.Material) -> str:

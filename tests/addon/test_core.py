@@ -155,6 +155,21 @@ def test_provenance_does_not_change_the_program():
 
 
 @pytest.mark.parametrize(
+    "folder", ['/tmp/a"b', "/tmp/a\nshader b", "/tmp/%filename{a}", "/tmp/a\tb"]
+)
+def test_provenance_goes_whatever_the_folder_is_called(folder):
+    """The compiler writes names as they are: here a line that ends, or a quote, would end what it is in."""
+    program = OSO + '\tmul\t\tc x x \t%filename{"FOLDER/s.osl"} %line{1} %argrw{"wrr"}\n'
+    written = program.replace(
+        "code ___main___\n", "code ___main___\n# FOLDER/s.osl:1\n# c = x * x;\n"
+    )
+    written = written.replace("/tmp/x", "FOLDER").replace("FOLDER", folder)
+    stripped = strip_provenance(written, folder)
+    assert stripped == strip_provenance(program.replace("FOLDER", "/tmp/x"), "/tmp/x")
+    assert stripped.endswith('code ___main___\n\tmul\t\tc x x \t %line{1} %argrw{"wrr"}\n')
+
+
+@pytest.mark.parametrize(
     ("renderer", "form"),
     [
         (Renderer(has_osl=True), "osl"),

@@ -26,12 +26,12 @@ class Scenes:
             self.blender.call("user_scenes.make", kind=kind, file=str(path))
         return path
 
-    def render(self, kind: str, *more: str, assign: str = "Cube=test_film"):
+    def render(self, kind: str, *more: str, assign: str | None = "Cube=test_film"):
         output = self.folder / "out" / f"{kind}.exr"
         output.parent.mkdir(exist_ok=True)
         before = self.left()
         done = self.blender.render(
-            "--blend", self.file(kind), "--assign", assign, *PICTURE, *more, "--json",
+            "--blend", self.file(kind), *(("--assign", assign) if assign else ()), *PICTURE, *more, "--json",
             "-o", output, "-o", output.with_suffix(".png"),
         )  # fmt: skip
         made = {output, output.with_suffix(".png")} if done.returncode == 0 else set()
@@ -106,6 +106,37 @@ def test_is_refused_before_anything_is_rendered(scenes, kind, message):
     assert done.returncode == 1
     assert f"{kind}.blend: the scene Scene {message}" in done.stderr or message in done.stderr
     assert done.stdout == ""
+
+
+@pytest.mark.parametrize(
+    ("kind", "message"),
+    [
+        (
+            "broken_shader",
+            "Cycles could not load the shader of Test Film, so that nothing is written",
+        ),
+        ("no_table", "the material Test Film lacks its tables R"),
+    ],
+)
+def test_materials_that_would_be_black_or_magenta_are_no_success(scenes, kind, message):
+    done = scenes.render(kind, assign=None)
+    assert done.returncode == 1
+    assert message in done.stderr
+    done = scenes.render(kind)  # another material takes its place
+    assert done.returncode == 0, done.stderr
+
+
+def test_what_a_wave_material_needs_is_turned_on(scenes):
+    """Of a file that was saved with it off."""
+    done = scenes.render("off", assign=None)
+    assert done.returncode == 0, done.stderr
+    assert "Test Film: Open Shading Language is on, which it needs" in done.stderr
+    off = read_image(scenes.folder / "out" / "off.exr")
+    done = scenes.render("plain", "--form", "osl")
+    assert np.abs(off - read_image(scenes.folder / "out" / "plain.exr")).max() < 1e-5
+    done = scenes.render("dispersed", assign=None)
+    assert done.returncode == 0, done.stderr
+    assert "Test Grating: motion blur is on, it carries the wavelengths" in done.stderr
 
 
 def test_linked_objects_that_share_a_mesh_are_refused(scenes):

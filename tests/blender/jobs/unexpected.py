@@ -22,3 +22,18 @@ def render(arguments: list[str], fails_at: str) -> int:
         return made.main(["render", *arguments])
     finally:
         made.build_stage = build
+
+
+def pixel(arguments: list[str]) -> int:
+    """The same, where no spectrum of a film can be computed."""
+    probe = extension.module("core.probe")
+    lights = probe._lights
+
+    def unknown(*_arguments):
+        raise extension.module("core.stack").StackError("no such medium")
+
+    probe._lights = unknown
+    try:
+        return extension.module("render").main(["render", *arguments])
+    finally:
+        probe._lights = lights

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import bpy
 
+from . import extension
+
 
 def make(kind: str, file: str) -> None:
     bpy.ops.wm.read_homefile(use_factory_startup=True)
@@ -196,11 +198,41 @@ def linked_twins(scene, file) -> None:
             scene.collection.objects.link(obj)
 
 
+def _wave_material(form: str, name: str = "test_film") -> bpy.types.NodeTree:
+    """Its group; the material is on the cube."""
+    compiled = extension.module("core.library").Library.default().load(name)
+    materials = extension.module("nodes.material")
+    material = materials.create_material(compiled, form)
+    _cube().material_slots[0].material = material
+    return materials.group_node(material).node_tree
+
+
+def broken_shader(_scene, _file) -> None:
+    tree = _wave_material("osl")
+    script = next(node for node in tree.nodes if node.type == "SCRIPT")
+    script.bytecode = script.bytecode.replace("code ___main___", 'code ___main___ "', 1)
+    script.bytecode_hash = "0123456789abcdef0123456789abcdef"
+
+
+def off(_scene, _file) -> None:
+    _wave_material("osl")
+
+
+def dispersed(_scene, _file) -> None:
+    _wave_material("osl", "test_grating")
+
+
+def no_table(_scene, _file) -> None:
+    tree = _wave_material("nodes")
+    next(node for node in tree.nodes if node.type == "TEX_IMAGE").image = None
+
+
 _KINDS = {
     kind.__name__: kind
     for kind in (
         plain, stereo, anaglyph, strip, compositor_without_output, compositor, file_output,
         file_output_alone, border, no_layer, second_layer, layer_samples, override, no_camera, scenes,
-        no_slots, slot_of_object, two_slots, shared, not_shared, linked, linked_twins,
+        no_slots, slot_of_object, two_slots, shared, not_shared, linked, linked_twins, broken_shader,
+        no_table, off, dispersed,
     )
 }  # fmt: skip
