@@ -8,8 +8,15 @@ import hashlib
 import re
 from dataclasses import dataclass
 
-_PARAMETER = re.compile(r"^(o?param)\t(closure color|\S+)\t(\S+)\t([^%\n]*)(.*)$", re.MULTILINE)
-_LABEL = re.compile(r'%meta\{string,label,"([^"]*)"\}')
+# A string may hold whatever else has a meaning here, a quote after a backslash among it.
+_STRING = r'"(?:[^"\\\n]|\\.)*"'
+_PARAMETER = re.compile(
+    rf"^(o?param)\t(closure color|\S+)\t(\S+)\t({_STRING}|[^%\n]*)(.*)$", re.MULTILINE
+)
+_LABEL = re.compile(rf"%meta\{{string,label,({_STRING})\}}")
+_META = re.compile(rf"%meta\{{[^,{{}}]*,[^,{{}}]*,(?:{_STRING}|[^\"}}]*)\}}")
+_ESCAPE = re.compile(r"\\(.)")
+_ESCAPED = {"n": "\n", "t": "\t", "r": "\r"}
 # The compiler writes folders as they are, so that a quote or line end in one would end what it is in.
 _HEADER = re.compile(
     r"\A(OpenShadingLanguage [^\n]*\n).*?^(?=(?:shader|surface|displacement|volume)\s)",
@@ -45,17 +52,21 @@ def _parameter(match: re.Match[str]) -> Parameter:
         name=name,
         type=kind,
         is_output=direction == "oparam",
-        default=None if "%initexpr" in hints else _default(kind, default.strip()),
-        label=label.group(1) if label else name,
+        default=None if "%initexpr" in _META.sub("", hints) else _default(kind, default.strip()),
+        label=_unquoted(label.group(1)) if label else name,
     )
 
 
 def _default(kind: str, text: str) -> tuple[float, ...] | str | None:
     if kind == "string":
-        return text.strip('"')
+        return _unquoted(text)
     if not text:
         return None
     return tuple(float(word) for word in text.split())
+
+
+def _unquoted(text: str) -> str:
+    return _ESCAPE.sub(lambda found: _ESCAPED.get(found.group(1), found.group(1)), text[1:-1])
 
 
 def strip_provenance(text: str, *names: str) -> str:

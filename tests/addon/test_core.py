@@ -141,6 +141,28 @@ def test_parameters_of_a_compiled_shader():
     assert parameters["BSDF"].type == "closure color"
 
 
+@pytest.mark.parametrize(
+    ("written", "read"),
+    [
+        (r"\"", '"'),
+        (r"a \"b\" \\", 'a "b" \\'),
+        (r"50% %initexpr %meta{string,label,\"x\"}", '50% %initexpr %meta{string,label,"x"}'),
+        (r"a\nb\tc\\n", "a\nb\tc\\n"),
+        ("薄膜, {x}", "薄膜, {x}"),
+        ("", ""),
+    ],
+)
+def test_strings_of_a_shader_are_read_back(written, read):
+    text = (
+        f'OpenShadingLanguage 1.00\nshader s\nparam\tstring\ttable\t"{written}"\t\t%read{{1,1}}\n'
+        f'param\tfloat\tx\t0.25\t\t%meta{{string,help,"{written}"}} %meta{{string,label,"{written}"}} '
+        "%meta{float,min,0}  %read{1,1}\ncode ___main___\n"
+    )
+    table, x = parse_parameters(text)
+    assert (table.default, table.label) == (read, "table")
+    assert (x.default, x.label) == ((0.25,), read)
+
+
 def test_text_that_is_no_shader_is_refused():
     with pytest.raises(OsoError, match="must start with"):
         parse_parameters("shader s")
