@@ -17,7 +17,6 @@ from typing import Any
 import bpy
 
 from .core.library import Library
-from .core.manifest import ManifestError
 from .core.whole_file import write_whole
 from .options import UsageError, parse, parser
 from .output import SUFFIXES, frame_path
@@ -147,7 +146,7 @@ def render(
         name = str(row.output.relative_to(folder))
         try:
             digest = row.digest()
-        except (OSError, ManifestError) as error:
+        except Exception as error:  # of this row alone
             report["failed"][name] = f"{row.where}: {error}"
             continue
         if row.is_there() and state.get(name) == digest:
@@ -155,7 +154,6 @@ def render(
             continue
         if not quiet:
             print(f"nacre render: {number}/{len(rows)} {name}", file=sys.stderr, flush=True)
-        row.output.parent.mkdir(parents=True, exist_ok=True)
         problem = render_row(row.options, row.output)
         if problem:
             report["failed"][name] = "\n".join(f"{row.where}: {t}" for t in problem.splitlines())

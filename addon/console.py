@@ -5,17 +5,22 @@
 from __future__ import annotations
 
 import contextlib
+import ctypes
 import os
 import re
 import shutil
 import signal
 import sys
+import tempfile
 import threading
 from collections.abc import Callable, Iterator
 from typing import TextIO
 
 import bpy
 
+_SHADER = re.compile(
+    r"Failed parse of .*OSO|Unable to (?:parse|open).* shader|Could not find shader|OSL query error"
+)
 _SAMPLES = re.compile(r"Sample (\d+)/(\d+)")
 
 
@@ -26,7 +31,7 @@ def own_stdout(verbose: bool) -> Iterator[TextIO]:
     Blender writes from C++, so the file descriptor itself is turned aside: to standard error when
     verbose, else to nowhere.
     """
-    sys.stdout.flush()
+    _flush()
     kept = os.dup(1)
     aside = os.dup(2) if verbose else os.open(os.devnull, os.O_WRONLY)
     os.dup2(aside, 1)
@@ -35,9 +40,16 @@ def own_stdout(verbose: bool) -> Iterator[TextIO]:
         with os.fdopen(os.dup(kept), "w", encoding="utf-8") as stream:
             yield stream
     finally:
-        sys.stdout.flush()
+        _flush()
         os.dup2(kept, 1)
         os.close(kept)
+
+
+def _flush() -> None:
+    """Python's buffer and that of C, which Blender prints through: into a pipe it writes late."""
+    sys.stdout.flush()
+    with contextlib.suppress(OSError, TypeError, AttributeError):  # where C's is not to be had so
+        ctypes.CDLL(None).fflush(None)
 
 
 def mute_removed_engine_noise() -> None:
@@ -49,6 +61,43 @@ def mute_removed_engine_noise() -> None:
             previous(report)
 
     sys.unraisablehook = hook
+
+
+class Complaints:
+    """What is written to standard error by C++ meanwhile; it is passed on when that has ended. Python's
+    own goes on to be written at once."""
+
+    def __init__(self) -> None:
+        self.text = ""
+
+    def __enter__(self) -> Complaints:
+        _flush()
+        sys.stderr.flush()
+        self._kept = os.dup(2)
+        self._python = sys.stderr
+        sys.stderr = os.fdopen(os.dup(2), "w", encoding="utf-8", errors="backslashreplace")
+        self._file = tempfile.TemporaryFile()
+        os.dup2(self._file.fileno(), 2)
+        return self
+
+    @property
+    def of_shaders(self) -> list[str]:
+        """Shaders that Cycles could not load, after which it renders black and says that all is well."""
+        lines = self.text.splitlines()
+        return list(dict.fromkeys(" ".join(line.split()) for line in lines if _SHADER.search(line)))
+
+    def __exit__(self, *_: object) -> None:
+        _flush()
+        sys.stderr.close()
+        sys.stderr = self._python
+        os.dup2(self._kept, 2)
+        os.close(self._kept)
+        self._file.seek(0)
+        written = self._file.read()
+        self._file.close()
+        self.text = written.decode("utf-8", "replace")
+        with contextlib.suppress(OSError):
+            os.write(2, written)
 
 
 class Progress:

@@ -8,6 +8,8 @@ blender -b --factory-startup --python driver.py -- render …
 
 from __future__ import annotations
 
+import contextlib
+import ctypes
 import importlib.util
 import os
 import sys
@@ -35,9 +37,24 @@ def _arguments() -> list[str]:
     return sys.argv[1:]
 
 
-def main() -> None:
-    import bpy  # the wheel sets up its module search path when it is imported first
+def _import_bpy():
+    """Imported first, the wheel sets up its module search path. What it says of a colour config
+    meanwhile goes to standard error: the other is for reports alone."""
+    kept = os.dup(1)
+    os.dup2(2, 1)
+    try:
+        import bpy
 
+        with contextlib.suppress(OSError, TypeError, AttributeError):  # what C still holds of it
+            ctypes.CDLL(None).fflush(None)
+    finally:
+        os.dup2(kept, 1)
+        os.close(kept)
+    return bpy
+
+
+def main() -> None:
+    bpy = _import_bpy()
     load_package()
     render = importlib.import_module(f"{PACKAGE}.render")
     status = render.main(_arguments())

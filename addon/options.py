@@ -118,6 +118,9 @@ def parser() -> argparse.ArgumentParser:
     )
     blend = made.add_argument_group("a .blend file")
     blend.add_argument("--assign", metavar="OBJECT=ID", action="append", default=[])
+    blend.add_argument(
+        "--scene", metavar="NAME", help="default: the one that the file was saved with"
+    )
     made.add_argument("--frames", metavar="A-B", type=_frames, help="default: the current frame")
     made.add_argument(
         "--resume", action="store_true", help="leave out frames whose files are there already"
@@ -232,8 +235,8 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
         raise UsageError(
             "give one of --material, --compiled, --template, --blend, --batch, --gallery"
         )
-    if options.blend is None and options.assign:
-        raise UsageError("--assign needs --blend")
+    if options.blend is None and (options.assign or options.scene):
+        raise UsageError(f"{'--assign' if options.assign else '--scene'} needs --blend")
     varied = options.vary or options.thickness_map
     of_a_stage = options.stage or options.set or options.animate or options.technique
     if options.blend is not None and (of_a_stage or varied):

@@ -86,9 +86,12 @@ class Writer:
             self.discard()
 
     def discard(self) -> None:
-        if self._aside is not None:
+        if self._aside is None:
+            return
+        # Blender makes several files of one name where a render has several views.
+        for left in self._aside.parent.glob(f"{self._aside.stem}*"):
             with contextlib.suppress(OSError):
-                self._aside.unlink()
+                left.unlink()
 
 
 @contextlib.contextmanager

@@ -11,6 +11,7 @@ import argparse
 import json
 import sys
 import time
+import traceback
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -26,10 +27,12 @@ from .core.oso import OsoError
 from .core.probe import Probe, ProbeError
 from .core.stack import StackError, edit, is_path, read_stack, write_template
 from .core.values import AssignmentError, parse_assignments
-from .nodes import follow, passes, thickness
+from .nodes import follow, passes, thickness, user_scene
 from .nodes import scene as scene_setup
+from .nodes.image import mend_spaces
 from .nodes.material import create_material, input_socket, set_values
 from .nodes.probe import in_picture
+from .nodes.stack import library_problem
 from .options import DEFAULT_VIEW, UsageError, parse
 from .scenes import StageError, build_stage
 
@@ -70,13 +73,21 @@ def main(argv: Sequence[str]) -> int:
                 print(json.dumps(report, sort_keys=True, default=Probe.data), file=stdout)
             elif not options.quiet or not outputs:
                 print(_summary(report), file=stdout)
-        return 0
+        return _fail("\n".join(_unknown(report))) if _unknown(report) else 0
     except SystemExit as done:  # --help
         return int(done.code or 0)
-    except UsageError as error:
-        return _fail(error)
-    except _ERRORS as error:
-        return _fail(error)
+    except Exception as error:
+        return _fail(_problem(error, verbose=not {"-v", "--verbose"}.isdisjoint(argv)))
+
+
+def _unknown(report: dict) -> list[str]:
+    """Of pixels that were asked for: films whose spectrum cannot be computed, and why. Of other
+    materials, and of films whose layers are not known, there is none."""
+    return [
+        f"--pixel {probe.pixel[0]} {probe.pixel[1]}: {probe.problem}"
+        for probe in report.get("probes", ())
+        if probe.film is not None and probe.problem
+    ]
 
 
 def _many(argv: list[str], options: argparse.Namespace) -> int:
@@ -90,6 +101,8 @@ def _many(argv: list[str], options: argparse.Namespace) -> int:
             else batch.read_rows(options.batch, folder, given)
         )
         report = batch.render(rows, folder, _render_row, options.quiet)
+        if options.gallery and library_problem():
+            print(f"nacre render: no swatches: {library_problem()}", file=sys.stderr)
         if options.gallery:
             report["page"] = str(gallery.write_page(folder, rows))
         if options.json:
@@ -102,21 +115,34 @@ def _many(argv: list[str], options: argparse.Namespace) -> int:
 def _render_row(options: argparse.Namespace, path: Path) -> str:
     """Renders one picture of many; the problem, or nothing."""
     try:
+        path.parent.mkdir(parents=True, exist_ok=True)
         output.check([path])
         _run(options, [path])
-    except (UsageError, *_ERRORS) as error:
-        return str(error)
+    except Exception as error:
+        return _problem(error, options.verbose)
     return ""
 
 
-def _fail(error: Exception) -> int:
-    for line in str(error).splitlines():
+def _problem(error: Exception, verbose: bool) -> str:
+    """What to say of an error. One that nobody thought of, mostly Blender's own, is one line too."""
+    if isinstance(error, (UsageError, *_ERRORS)):
+        return str(error)
+    if verbose:
+        traceback.print_exc()
+    said = " ".join(f"{type(error).__name__}: {error}".split())
+    return f"Blender {bpy.app.version_string} gave up: {said}; -v tells where"
+
+
+def _fail(problem: str) -> int:
+    for line in problem.splitlines():
         print(f"nacre render: {line}", file=sys.stderr)
     return 1
 
 
 def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
     started = time.monotonic()
+    if options.pixel and library_problem():
+        raise UsageError(f"--pixel: {library_problem()}")
     job = _blend_job(options) if options.blend else _stage_job(options)
     _set_picture(job.scene, options)
     for note in job.notes:
@@ -137,9 +163,12 @@ def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
 
 
 def _probe(scene: bpy.types.Scene, options: argparse.Namespace) -> list[Probe]:
-    if options.pixel and options.frames:
+    if not options.pixel:
+        return []
+    if options.frames:
         scene.frame_set(options.frames[0])
-    return [in_picture(scene, scene.view_layers[0], tuple(pixel)) for pixel in options.pixel]
+    layer = user_scene.rendered_layers(scene)[0]
+    return [in_picture(scene, layer, tuple(pixel)) for pixel in options.pixel]
 
 
 def _summary(report: dict) -> str:
@@ -223,7 +252,10 @@ def _stage_job(options: argparse.Namespace) -> Job:
     _animate(material, compiled, options)
     stage.scene.render.resolution_x, stage.scene.render.resolution_y = stage.size
     stage.scene.cycles.samples = stage.samples
-    _set_view(stage.scene, options.view or DEFAULT_VIEW, strict=options.view is not None)
+    if options.view:
+        _set_view(stage.scene, options.view)
+    else:
+        _default_view(job, options)
     return job
 
 
@@ -286,22 +318,58 @@ def _blend_job(options: argparse.Namespace) -> Job:
         bpy.ops.wm.open_mainfile(filepath=str(options.blend.absolute()), load_ui=False)
     except RuntimeError as error:
         raise UsageError(f"--blend: {options.blend}: cannot be opened: {error}") from error
+    mend_spaces()
     follow.put_right()
-    job = Job(bpy.context.scene)
+    job = Job(_chosen_scene(options))
+    refused = user_scene.refusals(job.scene, assigned=bool(options.assign))
+    if refused:
+        where = f"--blend: {options.blend}: the scene {job.scene.name}"
+        raise UsageError("\n".join(f"{where} {text}" for text in refused))
+    job.notes += [f"{options.blend}: {note}" for note in [user_scene.age_note()] if note]
+    job.notes += user_scene.show_alone(job.scene)
     job.scene.render.engine = "CYCLES"
+    _assign(job, options)
+    lacking = user_scene.without_tables(job.scene)
+    if lacking:
+        raise UsageError("\n".join(f"--blend: {options.blend}: {text}" for text in lacking))
+    job.notes += user_scene.serve_wave_materials(job.scene)
+    if options.view:
+        _set_view(job.scene, options.view)
+    return job
+
+
+def _chosen_scene(options: argparse.Namespace) -> bpy.types.Scene:
+    if not options.scene:
+        return bpy.context.scene
+    scene = bpy.data.scenes.get(options.scene)
+    if scene is None:
+        known = ", ".join(scene.name for scene in bpy.data.scenes)
+        raise UsageError(f"--scene: no scene {options.scene!r}; there are: {known}")
+    return scene
+
+
+def _assign(job: Job, options: argparse.Namespace) -> None:
     library = Library.default()
     for text in options.assign:
         name, _, material_id = text.partition("=")
-        target = bpy.data.objects.get(name)
-        if target is None or not hasattr(target.data, "materials"):
-            known = ", ".join(o.name for o in bpy.data.objects if hasattr(o.data, "materials"))
-            raise UsageError(f"--assign: no object {name!r} takes a material; there are: {known}")
+        there = user_scene.surfaces(job.scene)
+        if name not in there:
+            known = ", ".join(there) or "none"
+            raise UsageError(
+                f"--assign: no object {name!r} takes a material in the scene {job.scene.name}; "
+                f"there are: {known}{_elsewhere(name)}"
+            )
+        if there[name].hide_render:
+            job.notes.append(f"{name}: is not seen: it is hidden in renders")
         material = _add_material(job, library.load(material_id), options.form)
-        target.data.materials.clear()
-        target.data.materials.append(material)
-    if options.view:
-        _set_view(job.scene, options.view, strict=True)
-    return job
+        problem = user_scene.put_on(there[name], material)
+        if problem:
+            raise UsageError(f"--assign: {name}: {problem}")
+
+
+def _elsewhere(name: str) -> str:
+    scenes = [scene.name for scene in bpy.data.scenes if name in user_scene.surfaces(scene)]
+    return f"; {name!r} is in: {', '.join(scenes)} (--scene)" if scenes else ""
 
 
 def _add_material(job: Job, compiled: CompiledMaterial, requested: str) -> bpy.types.Material:
@@ -317,13 +385,22 @@ def _add_material(job: Job, compiled: CompiledMaterial, requested: str) -> bpy.t
     return material
 
 
-def _set_view(scene: bpy.types.Scene, name: str, *, strict: bool) -> None:
+def _set_view(scene: bpy.types.Scene, name: str) -> None:
     try:
         scene.view_settings.view_transform = name
-    except TypeError as error:
-        if strict:
-            raise UsageError(f"--view: {error}") from error
-        scene.view_settings.view_transform = "Standard"
+    except TypeError as error:  # it names those that the colour config has
+        known = str(error).partition("not found in (")[2].rstrip(")")
+        raise UsageError(f"--view: no view {name!r}; there are: {known}") from error
+
+
+def _default_view(job: Job, options: argparse.Namespace) -> None:
+    """Where the colour config has another: its own default, which Blender has put in place."""
+    try:
+        _set_view(job.scene, DEFAULT_VIEW)
+    except UsageError:
+        if any(path.lower().endswith(".png") for path in options.output):
+            view = job.scene.view_settings.view_transform
+            job.notes.append(f"the colour config has no view {DEFAULT_VIEW!r}; seen by {view!r}")
 
 
 def _set_picture(scene: bpy.types.Scene, options: argparse.Namespace) -> None:
@@ -331,7 +408,7 @@ def _set_picture(scene: bpy.types.Scene, options: argparse.Namespace) -> None:
     if options.size:
         render.resolution_x, render.resolution_y = options.size
     if options.samples:
-        cycles.samples = options.samples
+        user_scene.use_samples(scene, options.samples)
     if options.threads:
         render.threads_mode = "FIXED"
         render.threads = options.threads
@@ -361,8 +438,10 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
             if options.resume and all(path.is_file() for path in paths):
                 continue
             label = paths[0].name
-            with console.Progress(label, options.quiet):
-                bpy.ops.render.render()
+            with console.Complaints() as complaints, console.Progress(label, options.quiet):
+                bpy.ops.render.render(scene=scene.name)
+            if complaints.of_shaders:
+                raise output.OutputError(_unloaded(complaints.of_shaders))
             for path in paths:
                 writer.save(path)
                 written.append(path)
@@ -371,8 +450,22 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
     return written
 
 
+def _unloaded(complaints: list[str]) -> str:
+    """Of shaders that are embedded Cycles tells but a digest."""
+    said = "; ".join(complaints)
+    trees = [*bpy.data.node_groups, *(m.node_tree for m in bpy.data.materials if m.node_tree)]
+    scripts = [(tree, node) for tree in trees for node in tree.nodes if node.type == "SCRIPT"]
+    names = {
+        tree.name if tree in bpy.data.node_groups[:] else tree.id_data.name
+        for tree, node in scripts
+        if node.bytecode_hash and node.bytecode_hash in said
+    }
+    whose = f" of {', '.join(sorted(names))}" if names else ""
+    return f"Cycles could not load the shader{whose}, so that nothing is written: {said}"
+
+
 def _render_passes(scene: bpy.types.Scene, options: argparse.Namespace, beside: Path) -> Path:
     path = beside.with_name(f"{beside.stem}_passes.exr")
-    with passes.rendered(scene, scene.view_layers[0], options.aov) as aside:
+    with passes.rendered(scene, user_scene.rendered_layers(scene)[0], options.aov) as aside:
         output.Writer(aside, layers=True).save(path)
     return path

@@ -10,10 +10,23 @@ from dataclasses import dataclass
 
 from .space import Matrix, converted, dual
 
-_PARAMETER = re.compile(r"^(o?param)\t(closure color|\S+)\t(\S+)\t([^%\n]*)(.*)$", re.MULTILINE)
-_LABEL = re.compile(r'%meta\{string,label,"([^"]*)"\}')
+# A string may hold whatever else has a meaning here, a quote after a backslash among it.
+_STRING = r'"(?:[^"\\\n]|\\.)*"'
+_PARAMETER = re.compile(
+    rf"^(o?param)\t(closure color|\S+)\t(\S+)\t({_STRING}|[^%\n]*)(.*)$", re.MULTILINE
+)
+_LABEL = re.compile(rf"%meta\{{string,label,({_STRING})\}}")
+_META = re.compile(rf"%meta\{{[^,{{}}]*,[^,{{}}]*,(?:{_STRING}|[^\"}}]*)\}}")
+_ESCAPE = re.compile(r"\\(.)")
+_ESCAPED = {"n": "\n", "t": "\t", "r": "\r"}
+# The compiler writes folders as they are, so that a quote or line end in one would end what it is in.
+_HEADER = re.compile(
+    r"\A(OpenShadingLanguage [^\n]*\n).*?^(?=(?:shader|surface|displacement|volume)\s)",
+    re.DOTALL | re.MULTILINE,
+)
+_SOURCE_LINE = re.compile(r"^#.*\n", re.MULTILINE)
+_SOURCE_FILE = re.compile(r'[ ]?%filename\{".*?"\}', re.DOTALL)
 DUALS = ("tint_basis",)
-_HEADER_COMMENT = re.compile(r"^# (?:Compiled by|options:).*\n", re.MULTILINE)
 
 
 class OsoError(Exception):
@@ -42,14 +55,14 @@ def _parameter(match: re.Match[str]) -> Parameter:
         name=name,
         type=kind,
         is_output=direction == "oparam",
-        default=None if "%initexpr" in hints else _default(kind, default.strip()),
-        label=label.group(1) if label else name,
+        default=None if "%initexpr" in _META.sub("", hints) else _default(kind, default.strip()),
+        label=_unquoted(label.group(1)) if label else name,
     )
 
 
 def _default(kind: str, text: str) -> tuple[float, ...] | str | None:
     if kind == "string":
-        return text.strip('"')
+        return _unquoted(text)
     if not text:
         return None
     return tuple(float(word) for word in text.split())
@@ -80,9 +93,16 @@ def convert_colours(text: str, matrix: Matrix | None) -> str:
     return _PARAMETER.sub(convert, text)
 
 
-def strip_provenance(text: str) -> str:
-    """The same program without the compiler's version and folders: equal shaders, equal bytes."""
-    return _HEADER_COMMENT.sub("", text)
+def _unquoted(text: str) -> str:
+    return _ESCAPE.sub(lambda found: _ESCAPED.get(found.group(1), found.group(1)), text[1:-1])
+
+
+def strip_provenance(text: str, *names: str) -> str:
+    """The same program without the compiler's version, source lines and folders: equal shaders, equal
+    bytes. `names`: of files and folders that it was made from, wherever they are."""
+    for name in names:
+        text = text.replace(name, "")
+    return _SOURCE_FILE.sub("", _SOURCE_LINE.sub("", _HEADER.sub(r"\1", text)))
 
 
 def bytecode_hash(text: str) -> str:

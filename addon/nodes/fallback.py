@@ -12,7 +12,7 @@ from bpy.app.handlers import persistent
 
 from . import group as groups
 from . import schema
-from .image import FALLBACK, is_missing
+from .image import FALLBACK, is_missing, mend_spaces
 
 _GREY, _NOTHING = 0.5, 0.0
 _SUMS = ("R_further", "R_schlick")  # what is added to others: nothing
@@ -49,6 +49,8 @@ def _flat(value: float) -> bpy.types.Image:
 
 @persistent
 def _after_load(*_arguments) -> None:
+    for name in mend_spaces():
+        print(f"nacre: {name}: was given a colour space by another colour config; it is data again")
     for name in put_in_place():
         print(f"nacre: {name}: tables are missing; it is shown flat until it is rebuilt")
 

@@ -14,7 +14,7 @@ from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
 from ..core.space import converted
 from . import space
-from .image import table_image
+from .image import drop_unused, is_missing, table_image
 from .script import fill_script_node
 
 SCHEMA_VERSION = 2
@@ -45,9 +45,11 @@ _COLUMN, _ROW = 220.0, 190.0
 
 def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNodeTree:
     """The material's group; one of the same template and shader in the file is used again, unless
-    it is linked: that one may change with its own file."""
+    it is linked: that one may change with its own file. Nor is one whose tables are gone."""
     for group in bpy.data.node_groups:
         if group.library is not None or group.get(DIGEST) != material.digest:
+            continue
+        if any(node.type == "TEX_IMAGE" and is_missing(node.image) for node in group.nodes):
             continue
         same = group.get(FORM) == form and group.get(SCHEMA) == SCHEMA_VERSION
         if same and space.is_right(group):
@@ -58,6 +60,7 @@ def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNod
         _fill(group, material, graph)
     except Exception:
         bpy.data.node_groups.remove(group)
+        drop_unused(material)
         raise
     _tag(group, material, form)
     return group

@@ -24,6 +24,20 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     image = (
         _from_texels(material, table) if material.directory is None else _from_file(material, table)
     )
+    try:
+        _carry(image, material, table)
+    except Exception:
+        bpy.data.images.remove(image)
+        raise
+    image[DIGEST] = _key(material, table)
+    image[TABLE] = table.name
+    image[SIZE] = (table.width, table.height)
+    return image
+
+
+def _carry(image: bpy.types.Image, material: CompiledMaterial, table: Table) -> None:
+    """Packs the texels as numbers, which no configuration changes, in the file's space."""
+    hold_as_data(image)
     matrix = space.to_file(material.to_xyz_d65)
     if matrix is not None:
         convert_pixels(image, matrix)
@@ -31,16 +45,39 @@ def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     space.state(image)
     # The path of the machine that made the material says nothing to the one that opens the file.
     image.filepath_raw = f"//{table.file}"
-    if tuple(image.size) != (table.width, table.height):
-        size = tuple(image.size)
-        bpy.data.images.remove(image)
+    size = tuple(image.size)
+    if size != (table.width, table.height):
         raise ManifestError(
             f"{table.file}: must be {table.width} x {table.height} texels (got {size[0]} x {size[1]})"
         )
-    image[DIGEST] = _key(material, table)
-    image[TABLE] = table.name
-    image[SIZE] = (table.width, table.height)
-    return image
+
+
+def hold_as_data(image: bpy.types.Image) -> None:
+    """By the role, since each colour config has a name of its own for it. What is held so already is
+    left alone: setting it again would drop pixels that are not packed yet."""
+    if not image.colorspace_settings.is_data:
+        image.colorspace_settings.is_data = True
+
+
+def drop_unused(material: CompiledMaterial) -> None:
+    """Tables of a material that could not be made whole."""
+    for image in list(bpy.data.images):
+        of_this = str(image.get(DIGEST, "")).rpartition(":")[0] == material.digest
+        if of_this and image.users == 0 and image.library is None:
+            bpy.data.images.remove(image)
+
+
+def mend_spaces() -> list[str]:
+    """Tables whose file was saved under a config that calls data otherwise, where Blender has put a
+    colour space in place: data again, those of linked files too, for as long as this one is open.
+    Returns their names."""
+    mended = []
+    for image in bpy.data.images:
+        ours = DIGEST in image or image.get(FALLBACK)
+        if ours and not image.colorspace_settings.is_data:
+            hold_as_data(image)
+            mended.append(image.name)
+    return mended
 
 
 def is_missing(image: bpy.types.Image | None) -> bool:
@@ -77,7 +114,6 @@ def _from_file(material: CompiledMaterial, table: Table) -> bpy.types.Image:
     except RuntimeError as error:
         raise ManifestError(f"{table.file}: {error}") from error
     image.name = f"{material.id}_{table.name}"
-    image.colorspace_settings.is_data = True  # whatever a configuration calls it
     image.alpha_mode = "NONE"
     return image
 

@@ -14,7 +14,7 @@ from ..core.manifest import CompiledMaterial
 from ..core.problems import AssignedMaterial
 from . import animation, schema
 from . import group as groups
-from .image import is_missing
+from .image import drop_unused, is_missing
 
 AFTER_REBUILD: list[Callable[[bpy.types.Material], None]] = []
 """What looks at a material's group, and has to look at the new one."""
@@ -39,6 +39,15 @@ def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material
     material[groups.SCHEMA] = groups.SCHEMA_VERSION
     material[groups.MATERIAL] = compiled.id
     return material
+
+
+def discard_material(material: bpy.types.Material, compiled: CompiledMaterial) -> None:
+    """One that was just made, with its group and tables where nothing else has them."""
+    group = group_node(material).node_tree
+    bpy.data.materials.remove(material)
+    if group.users == 0:
+        bpy.data.node_groups.remove(group)
+    drop_unused(compiled)
 
 
 def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, form: str) -> None:

@@ -94,4 +94,4 @@ def _compile(material_id: str, source: str) -> str:
         osl.write_text(source, "utf-8")
         if not _cycles.osl_compile(str(osl), str(oso)):
             raise OsoError(f"{material_id}.osl does not compile; the console tells why")
-        return oso.read_text("utf-8")
+        return strip_provenance(oso.read_text("utf-8"), folder)

@@ -53,7 +53,7 @@ def library_problem() -> str:
     try:
         import nacre  # noqa: F401
     except ImportError as error:
-        return f"Editing needs the Python package nacre: {error}"
+        return f"Needs the Python package nacre: {error}"
     return ""
 
 

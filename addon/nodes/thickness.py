@@ -11,6 +11,7 @@ import bpy
 
 from ..core.thickness import SOCKETS, Input, Source, source
 from .formula import Formula
+from .image import hold_as_data
 from .material import group_node, input_socket
 
 SOURCE = "nacre_thickness_source"
@@ -100,7 +101,7 @@ def link_image(material: bpy.types.Material, image: bpy.types.Image) -> None:
     texture = tree.nodes.new("ShaderNodeTexImage")
     texture.image = image
     texture.location = (node.location.x - 300.0, node.location.y)
-    image.colorspace_settings.name = "Non-Color"
+    hold_as_data(image)
     tree.links.new(texture.outputs["Color"], node.inputs["Value"])
 
 

@@ -11,7 +11,7 @@ from ..core.form import AUTO, NODES, OSL, choose_form
 from ..core.library import Library
 from ..core.manifest import CompiledMaterial
 from ..nodes import scene as scene_setup
-from ..nodes.material import create_material
+from ..nodes.material import create_material, discard_material
 from ..properties import FORMS
 from .guard import must_be_local, reports_errors
 
@@ -80,8 +80,12 @@ class NACRE_OT_assign_material(bpy.types.Operator):
         form = choose_form(compiled, requested, scene_setup.renderer(context.scene))
         material = create_material(compiled, form)
         targets = _targets(context)
-        for target in targets:
-            _put(target, material, self.new_slot)
+        try:
+            for target in targets:
+                _put(target, material, self.new_slot)
+        except Exception:
+            discard_material(material, compiled)
+            raise
         self.report({"INFO"}, " ".join(_describe(context.scene, compiled, form, targets)))
         return {"FINISHED"}
 

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import functools
+import traceback
 
 import bpy
 
@@ -54,7 +55,8 @@ def allows_change(operator: type[bpy.types.Operator], material: bpy.types.Materi
 
 
 def reports_errors(execute):
-    """For `execute`: an expected fault becomes an error report, and the operator cancels."""
+    """For `execute`: a fault becomes an error report, and the operator cancels. One that nobody thought
+    of, such as a name that this Blender does not know, is told to the console in full as well."""
 
     @functools.wraps(execute)
     def guarded(self, context):
@@ -62,6 +64,10 @@ def reports_errors(execute):
             return execute(self, context)
         except _EXPECTED as error:
             self.report({"ERROR"}, str(error))
+            return {"CANCELLED"}
+        except Exception as error:
+            traceback.print_exc()
+            self.report({"ERROR"}, f"{type(error).__name__}: {error}")
             return {"CANCELLED"}
 
     return guarded

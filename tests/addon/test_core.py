@@ -215,6 +215,28 @@ def test_what_is_multiplied_by_colours_gives_the_same_in_every_space():
         assert np.dot(converted(matrix, tint), cell) == pytest.approx(expected)
 
 
+@pytest.mark.parametrize(
+    ("written", "read"),
+    [
+        (r"\"", '"'),
+        (r"a \"b\" \\", 'a "b" \\'),
+        (r"50% %initexpr %meta{string,label,\"x\"}", '50% %initexpr %meta{string,label,"x"}'),
+        (r"a\nb\tc\\n", "a\nb\tc\\n"),
+        ("薄膜, {x}", "薄膜, {x}"),
+        ("", ""),
+    ],
+)
+def test_strings_of_a_shader_are_read_back(written, read):
+    text = (
+        f'OpenShadingLanguage 1.00\nshader s\nparam\tstring\ttable\t"{written}"\t\t%read{{1,1}}\n'
+        f'param\tfloat\tx\t0.25\t\t%meta{{string,help,"{written}"}} %meta{{string,label,"{written}"}} '
+        "%meta{float,min,0}  %read{1,1}\ncode ___main___\n"
+    )
+    table, x = parse_parameters(text)
+    assert (table.default, table.label) == (read, "table")
+    assert (x.default, x.label) == ((0.25,), read)
+
+
 def test_text_that_is_no_shader_is_refused():
     with pytest.raises(OsoError, match="must start with"):
         parse_parameters("shader s")
@@ -226,6 +248,21 @@ def test_provenance_does_not_change_the_program():
     assert "oslc" not in stripped
     assert parse_parameters(stripped) == parse_parameters(OSO)
     assert bytecode_hash("abc") == "900150983cd24fb0d6963f7d28e17f72"  # RFC 1321, A.5
+
+
+@pytest.mark.parametrize(
+    "folder", ['/tmp/a"b', "/tmp/a\nshader b", "/tmp/%filename{a}", "/tmp/a\tb"]
+)
+def test_provenance_goes_whatever_the_folder_is_called(folder):
+    """The compiler writes names as they are: here a line that ends, or a quote, would end what it is in."""
+    program = OSO + '\tmul\t\tc x x \t%filename{"FOLDER/s.osl"} %line{1} %argrw{"wrr"}\n'
+    written = program.replace(
+        "code ___main___\n", "code ___main___\n# FOLDER/s.osl:1\n# c = x * x;\n"
+    )
+    written = written.replace("/tmp/x", "FOLDER").replace("FOLDER", folder)
+    stripped = strip_provenance(written, folder)
+    assert stripped == strip_provenance(program.replace("FOLDER", "/tmp/x"), "/tmp/x")
+    assert stripped.endswith('code ___main___\n\tmul\t\tc x x \t %line{1} %argrw{"wrr"}\n')
 
 
 @pytest.mark.parametrize(

@@ -299,6 +299,41 @@ def test_names_as_long_as_the_system_allows(blender, tmp_path):
     assert [path.name for path in folder.iterdir()] == [output.name]
 
 
+@pytest.mark.parametrize(
+    "name", ['q"uote', "apo'strophe", "line\nend", "tab\tper%cent{x}", "back\\slash"]
+)
+def test_shaders_are_compiled_in_any_folder(blender, tmp_path, name):
+    """The compiler writes its paths as they are into what it makes."""
+    folder = tmp_path / name
+    folder.mkdir()
+    usual, odd = tmp_path / "usual.exr", tmp_path / "odd.exr"
+    osl = ("--material", "test_film", "--form", "osl", *QUICK, "-o")
+    assert blender.render(*osl, usual).returncode == 0
+    done = blender.with_environment(TMPDIR=str(folder)).render_process(*osl, odd)
+    assert done.returncode == 0, done.stderr
+    assert_same_pixels(usual, odd)
+    assert not any(folder.iterdir())
+
+
+def test_without_the_package_a_pixel_is_refused(blender45, tmp_path):
+    alone = blender45.with_environment(PYTHONPATH=None)
+    output = tmp_path / "out.exr"
+    done = alone.render("--material", "test_film", *QUICK, "--pixel", "4", "4", "-o", output)
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert "--pixel: Needs the Python package nacre" in done.stderr
+    assert not output.exists()
+
+
+def test_a_film_that_cannot_be_computed_is_no_success(blender45):
+    steel = blender45.with_materials("tempered_steel")
+    arguments = ["--material", "tempered_steel", *QUICK, "--pixel", "8", "8"]
+    status, stdout, stderr = steel.ask("unexpected.pixel", fresh=True, arguments=arguments)
+    assert status == 1
+    assert "Thickness: " in stdout
+    assert "nacre render: --pixel 8 8: no such medium" in stderr
+
+
 def test_file_that_cannot_be_finished_is_not_left(blender45, tmp_path):
     """The limit on file sizes stands in for a disc that fills up while the picture is written."""
     output = tmp_path / "out.exr"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -64,9 +65,12 @@ std::string provenance(const Ramp& ramp, const char* mark)
         ramp.observer, ramp.space, version());
 }
 
+/// The format has no quotes within quotes.
 std::string cube_text(const Ramp& ramp)
 {
-    std::string text = fmt::format("TITLE \"{}\"\n", ramp.title) + provenance(ramp, "#");
+    std::string title = ramp.title;
+    std::ranges::replace(title, '"', '\'');
+    std::string text = fmt::format("TITLE \"{}\"\n", title) + provenance(ramp, "#");
     text += fmt::format(
         "LUT_1D_SIZE {0}\nDOMAIN_MIN {1:.9g} {1:.9g} {1:.9g}\n"
         "DOMAIN_MAX {2:.9g} {2:.9g} {2:.9g}\n",

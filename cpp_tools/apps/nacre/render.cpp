@@ -40,6 +40,7 @@ Options:
   --seed S               of the noise; the same seed gives the same pixels
   --blend FILE           a scene of one's own instead of a stage
   --assign OBJECT=ID     gives an object a material; may be repeated
+  --scene NAME           of a file with several
   --frames A-B           frames of the scene, or of a swirl; #### in the output's name is the frame
   -o, --output FILE      .exr scene-linear, .png for the screen
 

@@ -200,6 +200,10 @@ std::optional<std::vector<std::string>> Section::texts(std::string_view key)
         report(key, "must be strings that are not empty");
         return std::nullopt;
     }
+    if (!std::ranges::all_of(values, is_printable)) {
+        report(key, "must be lines of text without control characters");
+        return std::nullopt;
+    }
     return values;
 }
 

@@ -13,14 +13,30 @@
 namespace nacre::oslgen {
 namespace {
 
+/// Two question marks may begin a trigraph, which the preprocessor warns of even in strings, and
+/// Cycles takes warnings for errors; neighbouring literals are one string.
 std::string string_literal(std::string_view text)
 {
     std::string result = "\"";
+    char before = 0;
     for (const char c : text) {
+        if (c == '?' && before == '?') result += "\" \"";
         if (c == '"' || c == '\\') result += '\\';
         result += c;
+        before = c;
     }
     return result + '"';
+}
+
+/// In a comment nothing joins what was taken apart.
+std::string comment_text(std::string_view text)
+{
+    std::string result;
+    for (const char c : text) {
+        if (c == '?' && result.ends_with('?')) result += ' ';
+        result += c;
+    }
+    return result;
 }
 
 std::string metadata(std::string_view label, std::string_view help, std::string_view more = "")
@@ -375,8 +391,8 @@ std::string shader_text(const Context& context)
         "shader nacre_{}"
         "\n[[ string label = {}, string help = {} ]]\n"
         "(\n{},\n    output closure color BSDF = 0\n)\n{{\n{}}}\n",
-        includes(context), source.name, context.space, source.id, string_literal(source.name),
-        string_literal(source.description), parameters, body(context));
+        includes(context), comment_text(source.name), context.space, source.id,
+        string_literal(source.name), string_literal(source.description), parameters, body(context));
 }
 
 }  // namespace nacre::oslgen

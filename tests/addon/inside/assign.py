@@ -37,7 +37,7 @@ for node in image_nodes:
     assert (node.interpolation, node.extension) == ("Linear", "EXTEND")
     assert node.image.packed_file
     assert node.image.is_float
-    assert node.image.colorspace_settings.name == "Non-Color"
+    assert node.image.colorspace_settings.is_data
     assert tuple(node.image.size) == (8, 4)
 script = next(node for node in tree.nodes if node.type == "SCRIPT")
 assert script.mode == "INTERNAL"

@@ -194,7 +194,7 @@ picture.file_format = "PNG"
 picture.save()
 assert bpy.ops.nacre.add_thickness(source="map", filepath=picture.filepath_raw) == {"FINISHED"}
 image = thickness.sources_of(material)[0].inputs["Value"].links[0].from_node.image
-assert image.colorspace_settings.name == "Non-Color"
+assert image.colorspace_settings.is_data
 nodes = len(material.node_tree.nodes)
 refused(
     lambda: bpy.ops.nacre.add_thickness(source="map", filepath=str(folder / "none.png")), "none.png"

@@ -111,6 +111,25 @@ TEST(MaterialProgram, FilmShaderIsSelfContained)
     EXPECT_NE(program.osl.find("T * transparent() + BSDF"), std::string::npos);
 }
 
+// ISO C, 5.2.1.1: two question marks and one of nine characters are another one; compilers warn of
+// them in strings and comments alike, or take them for that.
+TEST(MaterialProgram, ShaderHoldsNoTrigraphs)
+{
+    const std::string pair(2, '?'), odd = "Why" + pair + ") " + pair + pair + "/";
+    std::string text = kFilm;
+    for (const std::string word : {R"(A \"Test\")", R"(one \\ two)", "Cover"})
+        text.replace(text.find(word), word.size(), odd);
+    const auto source = material::parse_template(text, "test.toml");
+    const auto program = generate(film_context(source));
+
+    EXPECT_EQ(program.osl.find(pair), std::string::npos);
+    for (const std::string key : {"label", "help"})
+        EXPECT_NE(program.osl.find("string " + key + R"( = "Why?" "?) ?" "?" "?" "?/")"),
+                  std::string::npos);
+    EXPECT_NE(program.osl.find("// Why? ?) ? ? ? ?/. Made by"), std::string::npos);
+    EXPECT_EQ(Json::parse(program.manifest)["name"], odd);
+}
+
 TEST(MaterialProgram, SocketsAreInTheOrderOfTheManifestAndTakeTheTemplatesWords)
 {
     const auto source = material::parse_template(kFilm, "test.toml");
