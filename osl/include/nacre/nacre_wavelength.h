@@ -57,10 +57,10 @@ float nacre_second_random(float u, int cells)
     return clamp(v - floor(v), 0.0, 0.999999);
 }
 
-// What a metal of a colour leaves of light of one cell of wavelengths. A signed weight times a colour
-// would be the same in the mean, but has a negative sum where the colour is saturated, and Cycles
-// drops such a lobe. `basis` is one triple a cell: dual to colours, so that this number is the same in
-// every colour space.
+// What a metal of a colour leaves of light of one cell of wavelengths. A signed weight times a
+// colour would be the same in the mean, but has a negative sum where the colour is saturated, and
+// Cycles drops such a lobe. `basis` is one triple a cell: dual to colours, so that this number is
+// the same in every colour space.
 float nacre_at_wavelength(color tint, color basis)
 {
     return max(0.0, tint[0] * basis[0] + tint[1] * basis[1] + tint[2] * basis[2]);
