@@ -33,6 +33,11 @@ def conversion(source: Matrix, target: Matrix) -> Matrix | None:
     return None if all(abs(value) < _SAME for value in differences) else found
 
 
+def relative_to(source: Matrix, matrix: Matrix) -> Matrix:
+    """The space of the colours that `matrix` makes of those of `source`."""
+    return _multiply(source, _inverse(matrix))
+
+
 def converted(matrix: Matrix | None, colour: Sequence[float]) -> Row:
     """The colour in the other space; it may get negative channels."""
     if matrix is None:
@@ -46,15 +51,16 @@ def dual(matrix: Matrix) -> Matrix:
     return tuple(tuple(inverse[j][i] for j in range(3)) for i in range(3))
 
 
-def flat(matrix: Matrix) -> list[float]:
+def text(matrix: Matrix) -> str:
     """The nine numbers that a file stores, row by row."""
-    return [value for row in matrix for value in row]
+    return " ".join(f"{value:.9g}" for row in matrix for value in row)
 
 
 def parse(values: Any) -> Matrix:
-    """From nine numbers, or from three rows of three."""
+    """From the text of nine numbers, or from three rows of three."""
     try:
-        numbers = [float(value) for item in values for value in _listed(item)]
+        items = values.split() if isinstance(values, str) else values
+        numbers = [float(value) for item in items for value in _listed(item)]
     except (TypeError, ValueError) as error:
         raise SpaceError("must be a matrix of 3 x 3 numbers") from error
     if len(numbers) != 9 or not all(map(math.isfinite, numbers)):

@@ -21,7 +21,8 @@ from nacre_extension.core.oso import (
     strip_provenance,
 )
 from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
-from nacre_extension.core.space import REC709, SpaceError, conversion, converted, flat, parse
+from nacre_extension.core.space import REC709, SpaceError, conversion, converted, parse
+from nacre_extension.core.space import text as space_text
 from nacre_extension.core.values import AssignmentError, parse_assignments
 from nacre_extension.core.whole_file import is_whole
 
@@ -176,14 +177,15 @@ def test_colours_of_one_space_in_another():
     expected = [[0.6274, 0.3293, 0.0433], [0.0691, 0.9195, 0.0114], [0.0164, 0.0880, 0.8956]]
     assert np.abs(np.array(matrix) - expected).max() < 1e-4
     assert converted(matrix, (1.0, 1.0, 1.0)) == pytest.approx((1.0, 1.0, 1.0), abs=1e-6)
-    assert conversion(parse(flat(REC709)), REC709) is None
+    assert conversion(parse(space_text(REC709)), REC709) is None
     # Blender's own matrices have five digits.
     assert conversion(tuple(tuple(round(x, 5) for x in row) for row in REC709), REC709) is None
     assert converted(None, (0.1, 0.2, 0.3)) == (0.1, 0.2, 0.3)
 
 
 @pytest.mark.parametrize(
-    "values", [None, [1.0] * 8, [1.0] * 9, ["x"] * 9, [float("nan")] * 9, [[1, 0, 0]] * 3]
+    "values",
+    [None, "", "1 0 0", [1.0] * 8, [1.0] * 9, ["x"] * 9, [float("nan")] * 9, [[1, 0, 0]] * 3],
 )
 def test_what_is_no_space_is_refused(values):
     with pytest.raises(SpaceError):

@@ -163,10 +163,6 @@ BAD_YAML = {
         "DATA:\n  - type: tabulated nk\n    data: |\n        0.4 1.5 0\n        0.5 1.6 -1\n",
         "-1",
     ),
-    "table-descends": (
-        "DATA:\n  - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.4 1.6 0\n",
-        "",
-    ),
     "table-nan": (
         "DATA:\n  - type: tabulated n\n    data: |\n        0.4 nan\n        0.5 1.6\n",
         "",
@@ -182,6 +178,16 @@ def test_bad_yaml_names_file_and_what_is_wrong(nacre, tmp_path, name):
     errors = nacre.fails("library", "check", path)
     assert f"nacre library check: {path}" in errors
     assert word in errors
+
+
+def test_yaml_that_was_put_right_says_so(nacre, tmp_path):
+    path = tmp_path / "glass.yml"
+    path.write_text(
+        "DATA:\n  - type: tabulated nk\n    data: |\n        0.5 1.5 0\n        0.4 1.6 0\n"
+    )
+    checked = nacre("library", "check", path)
+    assert checked.returncode == 0
+    assert "sorted by wavelength (1 row, the first in line 5)" in checked.stderr
 
 
 def template(body="", material='id = "x"\nname = "X"\ncategory = "T"\nsource = "s"'):

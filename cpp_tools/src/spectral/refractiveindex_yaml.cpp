@@ -140,13 +140,9 @@ private:
             check_row(rows.back(), path);
         }
         if (!problems_.empty()) return;
+        if (!check_gain(rows, path)) return;
         for (const std::string& change : mend_rows(rows))
             changes_.push_back(fmt::format("{}: {}", path, change));
-        if (rows.empty()) {
-            add(line_of(entry.Mark()), path,
-                fmt::format("must have rows whose k is not below {:g}", kLeastNoiseOfK));
-            return;
-        }
         IndexTable n, k;
         for (const IndexRow& row : rows) {
             append(n, row.wavelength, row.n);
@@ -154,6 +150,19 @@ private:
         }
         if (has_n) set_n(std::move(n), entry, field);
         if (has_k) set_k(std::move(k), entry, field);
+    }
+
+    /// Rows of k < 0 beyond noise are left out; where they are half of all, the medium has gain.
+    bool check_gain(const std::vector<IndexRow>& rows, const std::string& path)
+    {
+        const auto gains = [](const IndexRow& row) { return row.k < kLeastNoiseOfK; };
+        const auto first = std::ranges::find_if(rows, gains);
+        const auto count = static_cast<std::size_t>(std::ranges::count_if(rows, gains));
+        if (2 * count < rows.size() || count == 0) return true;
+        add(first->line, path,
+            fmt::format("k must be ≥ 0 (got {} here, and less than {:g} in {} of {} rows)",
+                        first->k, kLeastNoiseOfK, count, rows.size()));
+        return false;
     }
 
     void check_row(const IndexRow& row, const std::string& path)

@@ -202,7 +202,7 @@ TEST(MendedTable, SaysWhatWasPutRight)
               Texts{"DATA[0].data: k < 0 left out (1 row, the first in line 5, k down to -0.148)"});
     EXPECT_COMPLEX_NEAR(gain.constants->at(500.0), Complex(1.5, 0.6), 1e-15);
     EXPECT_INPUT_ERROR(parse(table_yaml("nk", "        0.4 1 -1\n")),
-                       "must have rows whose k is not below -0.005");
+                       "k must be ≥ 0 (got -1 here, and less than -0.005 in 1 of 1 rows)");
 
     EXPECT_TRUE(parse(table_yaml("n", "        0.4 1\n        0.5 1\n")).changes.empty());
 }
