@@ -9,6 +9,7 @@ import json
 import numpy as np
 import pytest
 
+from blender.harness import BlenderError
 from support.images import read_image
 
 PICTURE = ("--samples", "16", "--form", "nodes")
@@ -23,7 +24,14 @@ class Scenes:
     def file(self, kind: str):
         path = self.folder / f"{kind}.blend"
         if not path.is_file():
-            self.blender.call("user_scenes.make", kind=kind, file=str(path))
+            try:
+                self.blender.call("user_scenes.make", kind=kind, file=str(path))
+            except BlenderError as error:
+                # Blender 5.2 was seen to crash where it makes a compositor after it has rendered another
+                # scene's; what is tested comes after that.
+                if "Blender ended by" not in str(error):
+                    raise
+                self.blender.call("user_scenes.make", kind=kind, file=str(path))
         return path
 
     def render(self, kind: str, *more: str, assign: str | None = "Cube=test_film"):
