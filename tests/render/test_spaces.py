@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from blender.harness import Blender, Server, server_command
-from support.colours import delta_e
+from support.colours import REC709_TO_XYZ, delta_e
 from support.images import read_image
 from support.paths import ROOT, materials_folder
 from support.representatives import FORMS
@@ -46,11 +46,7 @@ def rendered(blender: Blender, **what) -> np.ndarray:
     return read_image(file) @ np.array(matrix).T
 
 
-FROM_XYZ = np.linalg.inv(np.array([
-    [0.4123907992659593, 0.357584339383878, 0.1804807884018343],
-    [0.2126390058715103, 0.715168678767756, 0.0721923153607337],
-    [0.0193308187155918, 0.119194779794626, 0.9505321522496607],
-]))  # fmt: skip
+FROM_XYZ = np.linalg.inv(REC709_TO_XYZ)
 
 
 def compare(found_xyz: np.ndarray, expected_xyz: np.ndarray) -> None:

@@ -6,17 +6,18 @@ from __future__ import annotations
 
 import numpy as np
 
+REC709_TO_XYZ = np.array(
+    [
+        [0.4123907992659593, 0.357584339383878, 0.1804807884018343],
+        [0.2126390058715103, 0.715168678767756, 0.0721923153607337],
+        [0.0193308187155918, 0.119194779794626, 0.9505321522496607],
+    ]
+)
+
 
 def lab(rgb) -> np.ndarray:
     """L*a*b* under D65 of linear Rec. 709, IEC 61966-2-1 primaries with (1, 1, 1) as the white."""
-    to_xyz = np.array(
-        [
-            [0.4123907992659593, 0.357584339383878, 0.1804807884018343],
-            [0.2126390058715103, 0.715168678767756, 0.0721923153607337],
-            [0.0193308187155918, 0.119194779794626, 0.9505321522496607],
-        ]
-    )
-    relative = (np.asarray(rgb, float) @ to_xyz.T) / to_xyz.sum(axis=1)
+    relative = (np.asarray(rgb, float) @ REC709_TO_XYZ.T) / REC709_TO_XYZ.sum(axis=1)
     linear = relative * (24389 / 27) / 116 + 16 / 116
     f = np.where(relative > 216 / 24389, np.cbrt(relative), linear)
     return np.stack(

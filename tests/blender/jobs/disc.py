@@ -15,7 +15,8 @@ import bpy
 from mathutils import Vector
 
 from . import extension
-from .pictures import render_picture
+from .furnace import film
+from .pictures import empty_scene, render_picture
 
 WIDTH = 5
 
@@ -47,15 +48,10 @@ def add_camera(scene: bpy.types.Scene, job: dict) -> None:
 
 
 def render(**job) -> list[list[float]]:
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    extension.set_space(job.get("space", ""))
-    compiled = extension.module("core.library").Library.default().load(job["material"])
-    material = extension.module("nodes.material").create_material(compiled, "osl")
-    extension.module("nodes.material").set_values(material, {"roughness": 0.05})
-    extension.module("nodes.scene").use_osl(scene)
-    extension.module("nodes.scene").use_wavelengths(scene)
+    scene = empty_scene(job.get("space", ""))
+    material = film(
+        scene, {"material": job["material"], "form": "osl", "values": {"roughness": 0.05}}
+    )
     disc = add_disc()
     disc.data.materials.append(material)
     add_lamp(scene, job["lamp"])

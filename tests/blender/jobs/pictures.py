@@ -11,6 +11,14 @@ import bpy
 from . import extension
 
 
+def empty_scene(space: str = "") -> bpy.types.Scene:
+    """For Cycles, in a file of that working space, if not what it has."""
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+    bpy.context.scene.render.engine = "CYCLES"
+    extension.set_space(space)
+    return bpy.context.scene
+
+
 def render_picture(
     scene: bpy.types.Scene, width: int, height: int, samples: int, file: str
 ) -> None:

@@ -19,7 +19,8 @@ import bpy
 from mathutils import Matrix, Vector
 
 from . import extension
-from .pictures import render_picture
+from .furnace import film
+from .pictures import empty_scene, render_picture
 
 THICKNESS = 2.0  # along the middle ray
 
@@ -69,14 +70,8 @@ def light(scene: bpy.types.Scene, source: str, line_nm: float) -> None:
 
 
 def render(**job) -> list[list[float]]:
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    extension.set_space(job.get("space", ""))
-    compiled = extension.module("core.library").Library.default().load(job["material"])
-    material = extension.module("nodes.material").create_material(compiled, "osl")
-    extension.module("nodes.scene").use_osl(scene)
-    extension.module("nodes.scene").use_wavelengths(scene)
+    scene = empty_scene(job.get("space", ""))
+    material = film(scene, {"material": job["material"], "form": "osl", "values": {}})
     incidence, apex = math.radians(job["incidence_deg"]), math.radians(job["apex_deg"])
     for item in (
         face(scene, Vector((0, 0, 0)), incidence, up=True),
