@@ -168,31 +168,26 @@ FilmBake bake_all(const MaterialTemplate& source, const CompileOptions& options)
     });
 }
 
-oslgen::WavelengthTable wavelength_table(const spectral::ColourWeights& weights)
+oslgen::WavelengthTable wavelength_table(const spectral::WavelengthSampling& sampling)
 {
-    spectral::WavelengthSampling sampling = spectral::sample_wavelengths(weights, kWavelengthCells);
-    return {std::move(sampling.edges_nm), std::move(sampling.weight)};
+    return {sampling.edges_nm, sampling.weight};
 }
 
 /// Colour of the metal under its cover at normal incidence, and what it does to each wavelength.
 oslgen::GratingColours grating_colours(const GratingSpec& grating, const std::string& file,
-                                       const spectral::ColourWeights& weights)
+                                       const spectral::ColourWeights& weights,
+                                       const spectral::WavelengthSampling& sampling)
 {
     MediaReader media(file);
-    lut::FilmTableRequest request;
-    request.stack.ambient = media.clear_on_grid(grating.cover, kTraceOfK);
-    request.stack.substrate = media.on_grid(grating.substrate);
-    request.weights = weights;
+    const lut::IndexOnGrid cover = media.clear_on_grid(grating.cover, kTraceOfK);
+    const lut::IndexOnGrid metal = media.on_grid(grating.substrate);
     media.throw_if_any();
     const double cover_index = media.constants(grating.cover)->at(kLineD).real();
     spectral::Sampled reflectance{};
-    for (std::size_t i = 0; i < spectral::kWavelengths; ++i) {
-        const auto cover = request.stack.ambient[i], metal = request.stack.substrate[i];
-        reflectance[i] = std::norm((cover - metal) / (cover + metal));
-    }
+    for (std::size_t i = 0; i < spectral::kWavelengths; ++i)
+        reflectance[i] = std::norm((cover[i] - metal[i]) / (cover[i] + metal[i]));
     return {.tint = weights.apply(reflectance),
-            .basis = tint_basis(spectral::sample_wavelengths(weights, kWavelengthCells), weights,
-                                reflectance),
+            .basis = tint_basis(sampling, weights, reflectance),
             .cover_index = cover_index};
 }
 
@@ -263,10 +258,12 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
 
     CompiledMaterial result{.id = source.id, .osl = {}, .manifest = {}, .tables = {}};
     if (const auto* grating = std::get_if<GratingSpec>(&source.kind)) {
-        context.wavelengths = wavelength_table(weights);
-        context.grating = grating_colours(*grating, source.file, weights);
+        const auto sampling = spectral::sample_wavelengths(weights, kWavelengthCells);
+        context.wavelengths = wavelength_table(sampling);
+        context.grating = grating_colours(*grating, source.file, weights, sampling);
     } else if (const auto* glass = std::get_if<GlassSpec>(&source.kind)) {
-        context.wavelengths = wavelength_table(weights);
+        context.wavelengths =
+            wavelength_table(spectral::sample_wavelengths(weights, kWavelengthCells));
         context.glass = glass_index(*glass, source.file, weights);
     } else {
         FilmBake baked = bake_all(source, options);
