@@ -12,7 +12,7 @@ from __future__ import annotations
 import bpy
 from bpy.app.handlers import persistent
 
-from ..core.space import Matrix, conversion
+from ..core.space import Matrix
 from . import group as groups
 from . import schema, space
 from .image import TABLE, convert_pixels, is_missing
@@ -61,14 +61,14 @@ def _after_load(*_arguments) -> None:
 @persistent
 def _after_change(*_arguments) -> None:
     """Blender does not tell that a file's space has changed, but that something has."""
-    if not _followed or conversion(_followed[0], space.of_file()) is not None:
+    if _followed != [space.of_file()]:
         put_right()
 
 
 @persistent
 def _after_undo(*_arguments) -> None:
     """Packed tables are part of a step, the texels read from them are not."""
-    if _followed and conversion(_followed[0], space.of_file()) is None:
+    if _followed == [space.of_file()]:
         return
     for image in bpy.data.images:
         if TABLE in image:

@@ -12,7 +12,7 @@ import bpy
 from ..core.form import OSL
 from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
-from ..core.space import converted
+from ..core.space import Matrix, converted
 from . import space
 from .image import drop_unused, is_missing, table_image
 from .script import fill_script_node
@@ -49,10 +49,10 @@ def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNod
     for group in bpy.data.node_groups:
         if group.library is not None or group.get(DIGEST) != material.digest:
             continue
-        if any(node.type == "TEX_IMAGE" and is_missing(node.image) for node in group.nodes):
+        if group.get(FORM) != form or group.get(SCHEMA) != SCHEMA_VERSION:
             continue
-        same = group.get(FORM) == form and group.get(SCHEMA) == SCHEMA_VERSION
-        if same and space.is_right(group):
+        images = (node.image for node in group.nodes if node.type == "TEX_IMAGE")
+        if space.is_right(group) and not any(map(is_missing, images)):
             return group
     graph = material.graphs[form]
     group = bpy.data.node_groups.new(material.name, "ShaderNodeTree")
@@ -103,9 +103,7 @@ def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> No
 def _fill(group: bpy.types.NodeTree, material: CompiledMaterial, graph: Graph) -> None:
     matrix = space.to_file(material.to_xyz_d65)
     for socket in material.sockets:
-        item = _add_interface_socket(group, socket)
-        if socket.type == "color":
-            item.default_value = (*converted(matrix, socket.default), 1.0)
+        _add_interface_socket(group, socket, matrix)
     for endpoint in {str(target): target for _, target in graph.links}.values():
         if endpoint.node == GROUP_OUTPUT:
             group.interface.new_socket(
@@ -124,22 +122,21 @@ def _fill(group: bpy.types.NodeTree, material: CompiledMaterial, graph: Graph) -
     _arrange(nodes, graph)
 
 
-def _add_interface_socket(
-    group: bpy.types.NodeTree, socket: Socket
-) -> bpy.types.NodeTreeInterfaceSocket:
+def _add_interface_socket(group: bpy.types.NodeTree, socket: Socket, matrix: Matrix | None) -> None:
     item = group.interface.new_socket(
         name=socket.label, in_out="INPUT", socket_type=_SOCKET_TYPES[socket.type]
     )
     item.description = socket.description
     if socket.type in DIRECTIONS:
         item.hide_value = True
-    elif socket.type != "color":
+    elif socket.type == "color":
+        item.default_value = (*converted(matrix, socket.default), 1.0)
+    else:
         number = int if socket.type == "int" else float
         item.min_value, item.max_value = number(socket.minimum), number(socket.maximum)
         item.default_value = number(socket.default)
         if (socket.minimum, socket.maximum) == (0, 1):
             item.subtype = "FACTOR"
-    return item
 
 
 def _add_node(group: bpy.types.NodeTree, material: CompiledMaterial, item) -> bpy.types.Node:

@@ -40,7 +40,8 @@ def has_osl() -> bool:
 
 def fill_script_node(node: bpy.types.ShaderNodeScript, material: CompiledMaterial) -> None:
     """Embeds the shader as bytecode and makes the sockets from its parameters."""
-    text = strip_provenance(material.bytecode or _compile(material.id, material.osl))
+    given = material.bytecode
+    text = strip_provenance(given) if given else _compile(material.id, material.osl)
     text = convert_colours(text, space.to_file(material.to_xyz_d65))
     node.mode = "INTERNAL"
     _set_bytecode(node, text)

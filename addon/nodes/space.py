@@ -34,7 +34,7 @@ def of_block(block: bpy.types.ID) -> Matrix:
 
 def is_right(block: bpy.types.ID) -> bool:
     """Whether its colours are in the file's space."""
-    return conversion(of_block(block), of_file()) is None
+    return to_file(of_block(block)) is None
 
 
 def to_file(source: Matrix = REC709) -> Matrix | None:
