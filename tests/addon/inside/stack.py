@@ -84,6 +84,16 @@ assert not materials.missing_tables(material)
 used = {n.node_tree for m in bpy.data.materials for n in m.node_tree.nodes if n.type == "GROUP"}
 assert set(bpy.data.node_groups) == used, [g.name for g in bpy.data.node_groups]
 
+# Back to the library's stack: its texels again, which come from a file there and from memory here.
+corners = np.ix_((0, -1), (0, -1))
+shown.substrate = "water/Daimon-20C"
+assert np.abs(texels(material)[corners] - library_texels[corners]).max() < 0.002
+assert bpy.ops.nacre.finish_stack() == {"FINISHED"}
+assert np.abs(texels(material)[corners] - library_texels[corners]).max() < 2**-13
+assert np.abs(library_texels[-1, -1] - library_texels[0, -1]).max() > 0.01
+shown.substrate = "Au/Johnson"
+assert bpy.ops.nacre.finish_stack() == {"FINISHED"}
+
 # Layers: added, moved, varied, removed; the slider follows its layer.
 assert bpy.ops.nacre.add_layer() == {"FINISHED"}
 assert [layer.medium for layer in shown.layers] == ["abbe 1.47 50", "SiO2/Malitson"]
