@@ -4,11 +4,15 @@
 
 from __future__ import annotations
 
+import os
 import re
 import subprocess
 import sys
 import tomllib
 import zipfile
+from pathlib import Path
+
+import pytest
 
 from support.paths import ADDON, ROOT, STAGE_EXTENSION
 
@@ -24,6 +28,13 @@ def test_archive_carries_the_version_and_the_materials(archive):
     assert not any("__pycache__" in name for name in names)
 
 
+def test_shipped_archive_is_light():
+    archive = os.environ.get("NACRE_EXTENSION")
+    if archive is None:
+        pytest.skip("NACRE_EXTENSION names no archive with all materials and a wheel")
+    assert Path(archive).stat().st_size <= 25e6
+
+
 def test_manifest_states_the_project_version():
     manifest = tomllib.loads((ADDON / "blender_manifest.toml").read_text("utf-8"))
     assert f"VERSION {manifest['version']} " in (ROOT / "CMakeLists.txt").read_text()
@@ -31,8 +42,6 @@ def test_manifest_states_the_project_version():
 
 def test_wheels_name_their_platforms(monkeypatch):
     monkeypatch.syspath_prepend(STAGE_EXTENSION.parent)
-    from pathlib import Path
-
     import stage_extension
 
     wheels = [Path("nacre-1.2.3-py3-none-manylinux_2_28_x86_64.whl")]

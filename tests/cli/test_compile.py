@@ -10,9 +10,10 @@ import os
 import stat
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from support.images import json_attribute, read_all
+from support.images import json_attribute, read_all, spec_of
 from support.paths import materials_folder
 
 MATERIALS = materials_folder()
@@ -142,7 +143,37 @@ def test_compiled_table_is_the_baked_table(nacre, film, tmp_path):
     nacre.ok("compile", film, "--tolerance", "1", "-o", tmp_path / "out")
     nacre.ok("bake", "stack", film, "--tolerance", "1", "-o", tmp_path / "R.exr")
     compiled = tmp_path / "out" / "test_film" / "test_film_R.exr"
-    assert compiled.read_bytes() == (tmp_path / "R.exr").read_bytes()
+    texels, attributes = read_all(compiled)
+    exact, baked = read_all(tmp_path / "R.exr")
+    assert texels.shape == exact.shape
+    rounding = 2.0**-14 * np.maximum(2.0 ** np.floor(np.log2(np.abs(exact))), 2.0**-5)
+    assert (np.abs(texels - exact) <= rounding).all()
+    assert attributes["compression"] == "pxr24"
+    assert baked["compression"] == "zip"
+    for name in ("axes", "illuminant", "observer", "quantity", "space", "stack"):
+        assert attributes[f"nacre:{name}"] == baked[f"nacre:{name}"]
+
+
+def test_tables_lose_nothing_to_their_compression():
+    """PXR24 keeps 15 bits of a float's mantissa, and texels have fewer; half floats are kept whole."""
+    smooth, attributes = read_all(MATERIALS / "soap_film" / "soap_film_R.exr")
+    assert attributes["compression"] == "pxr24"
+    steps = 2.0 ** (np.maximum(np.floor(np.log2(np.maximum(np.abs(smooth), 1e-9))), -5) - 13)
+    assert (smooth / steps == np.rint(smooth / steps)).all()
+    rough = spec_of(MATERIALS / "soap_film" / "soap_film_R_rough.exr")
+    assert str(rough.format) == "half"
+    assert rough.getattribute("compression") == "pxr24"
+
+
+def test_tables_of_the_library_are_light():
+    """Of 25 MB for the extension, and what a scene that packs one has to carry."""
+    sizes = {
+        name: sum(file.stat().st_size for file in (MATERIALS / name).glob("*.exr"))
+        for name in manifests()
+    }
+    assert sum(sizes.values()) <= 21e6
+    assert sizes["soap_film"] <= 2.1e6
+    assert max(sizes.values()) <= 2.6e6, max(sizes, key=sizes.__getitem__)
 
 
 def test_options_reach_the_manifest(nacre, film, tmp_path):

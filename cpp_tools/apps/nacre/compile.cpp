@@ -91,10 +91,12 @@ std::string stack_of(const material::MaterialTemplate& source, const std::string
     return stack_json(bare);
 }
 
-/// Means over facets need not be as exact as mirrors; half the size is worth 0.05 of ΔE00.
-Depth depth(const lut::Table& table)
+/// The smallest file that holds the texels as they are.
+Encoding encoding(const lut::Table& table)
 {
-    return table.slices > 1 ? Depth::half : Depth::floating;
+    constexpr int kHalfBits = 10, kPxr24Bits = 15;
+    return {Container::exr, table.texel_bits <= kHalfBits ? Depth::half : Depth::floating,
+            table.texel_bits <= kPxr24Bits ? Compression::pxr24 : Compression::zip};
 }
 
 void write_tables(const fs::path& folder, const Job& job, TableProvenance provenance)
@@ -103,7 +105,7 @@ void write_tables(const fs::path& folder, const Job& job, TableProvenance proven
         provenance.stack = stack_of(job.source, table.name);
         write_atomically(folder / fmt::format("{}_{}.exr", job.compiled.id, table.name),
                          encode_image(table_image(table), table_attributes(table, provenance),
-                                      {Container::exr, depth(table)}));
+                                      encoding(table)));
     }
 }
 

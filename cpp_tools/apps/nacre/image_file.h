@@ -29,9 +29,16 @@ enum class Depth { floating, half, byte };
 
 enum class Container { exr, tx, png, ftxt };
 
+/// Of scan lines and tiles.
+enum class Compression {
+    zip,
+    pxr24,  ///< of floats 15 bits of mantissa are kept; a quarter of the size where there are fewer
+};
+
 struct Encoding {
     Container container;
     Depth depth;
+    Compression compression = Compression::zip;
 };
 
 /// From the file name's extension and the name of a depth: float, half, byte, or empty for float,
@@ -39,7 +46,7 @@ struct Encoding {
 [[nodiscard]] Encoding encoding_for(const std::filesystem::path& file, const std::string& depth);
 
 /// The bytes of the file, the same for the same arguments: no date, no host, no program.
-/// EXR is zip-compressed scan lines; .tx is a tiled EXR without mip maps; a PNG keeps text
+/// EXR is compressed scan lines; .tx is a tiled EXR without mip maps; a PNG keeps text
 /// attributes only, its values are those of the pixels times 255, without a transfer curve, and its
 /// alpha is a number like the others; FTXT (nacre/spectral/texture.h) has attributes as comments.
 [[nodiscard]] std::string encode_image(const Image& image, const Attributes& attributes,

@@ -53,6 +53,7 @@ struct TableErrors : ProbeErrors {
 /// The texels of both quantities as they are stored.
 struct Baked {
     TableSize size;
+    int texel_bits;
     std::vector<float> reflectance, transmittance;
     TableErrors errors;
 
@@ -75,9 +76,16 @@ struct Baked {
     {
         const std::size_t at = 3 * (y * static_cast<std::size_t>(size.width) + x);
         for (std::size_t c = 0; c < 3; ++c) {
-            reflectance[at + c] = static_cast<float>(colour.reflectance[c]);
-            transmittance[at + c] = static_cast<float>(colour.transmittance[c]);
+            reflectance[at + c] = stored(colour.reflectance[c]);
+            transmittance[at + c] = stored(colour.transmittance[c]);
         }
+    }
+
+private:
+    [[nodiscard]] float stored(double value) const
+    {
+        return static_cast<float>(texel_bits < kFloatBits ? rounded_texel(value, texel_bits)
+                                                          : value);
     }
 };
 
@@ -213,6 +221,7 @@ Baked bake(Baker& baker, TableSize size)
 {
     const auto width = static_cast<std::size_t>(size.width);
     Baked baked{.size = size,
+                .texel_bits = baker.request.texel_bits,
                 .reflectance = {},
                 .transmittance = {},
                 .errors = TableErrors(RowErrors(half_steps(size.height),
@@ -359,7 +368,8 @@ Table make_table(const Baker& baker, const Baked& baked, bool transmittance)
             .channels = {"R", "G", "B"},
             .texels = transmittance ? baked.transmittance : baked.reflectance,
             .error_max = measured ? error.max : kNotMeasured,
-            .error_mean = measured ? error.mean() : kNotMeasured};
+            .error_mean = measured ? error.mean() : kNotMeasured,
+            .texel_bits = baked.texel_bits};
 }
 
 }  // namespace

@@ -125,6 +125,12 @@ public:
         return static_cast<std::size_t>(smooth_.reflectance.x.texels);
     }
 
+    /// Of a lobe whose colour is 1.
+    [[nodiscard]] double reflected_share(const SeenFacets& view) const
+    {
+        return further_ ? view.albedo : 1.0;
+    }
+
     [[nodiscard]] RoughColour at(std::size_t row, const SeenFacets& view) const
     {
         RoughColour result{};
@@ -179,6 +185,22 @@ std::size_t exact_row(RoughSize size, std::size_t half_rows)
     return size.height == 1 ? 0 : half_rows;
 }
 
+/// As texels hold it. What rounding adds to the light that is reflected is taken from what passes,
+/// so that a clear wall keeps all light to half a step.
+RoughColour rounded(const RoughColour& exact, double reflected_share)
+{
+    RoughColour result{};
+    const auto round = [](double value) { return rounded_texel(value, kRoughTexelBits); };
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double R = exact.film.reflectance[c];
+        result.film.reflectance[c] = round(R);
+        const double added = reflected_share * (result.film.reflectance[c] - R);
+        result.film.transmittance[c] = round(exact.film.transmittance[c] - added);
+        result.further[c] = round(exact.further[c]);
+    }
+    return result;
+}
+
 Texels fill(const RoughColours& colours, RoughSize size)
 {
     Texels texels{.size = size,
@@ -188,7 +210,8 @@ Texels fill(const RoughColours& colours, RoughSize size)
         const SeenFacets view(static_cast<double>(x) * step_of(size),
                               static_cast<double>(slice + 1), colours.columns());
         for (std::size_t y = 0; y < size.height; ++y)
-            texels.values[y * kSlices * size.width + i] = colours.at(exact_row(size, 2 * y), view);
+            texels.values[y * kSlices * size.width + i] =
+                rounded(colours.at(exact_row(size, 2 * y), view), colours.reflected_share(view));
     });
     return texels;
 }
@@ -254,7 +277,8 @@ Table make_table(const Table& smooth, const std::string& name, const Texels& tex
                 .texels = {},
                 .error_max = error.max,
                 .error_mean = error.mean(),
-                .slices = kRoughSlices};
+                .slices = kRoughSlices,
+                .texel_bits = kRoughTexelBits};
     table.x.texels = static_cast<int>(kSlices * texels.size.width);
     table.y.texels = static_cast<int>(texels.size.height);
     table.texels.reserve(3 * texels.values.size());

@@ -2,7 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/lut/table.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace nacre::lut {
+
+double rounded_texel(double value, int bits) noexcept
+{
+    constexpr int kLeastExponent = -5;
+    int exponent = 0;
+    std::frexp(value, &exponent);  // |value| < 2^exponent
+    const double step = std::ldexp(1.0, std::max(exponent - 1, kLeastExponent) - bits);
+    return std::nearbyint(value / step) * step;
+}
 
 double Axis::at(int texel) const noexcept
 {

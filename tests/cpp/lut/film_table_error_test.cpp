@@ -105,6 +105,22 @@ TEST(FilmTableError, OfOneFilm)
     expect_honest(test::soap_film());
 }
 
+TEST(FilmTableError, OfRoundedTexels)
+{
+    for (const int bits : {13, 7}) {
+        auto asked = test::anodised();
+        asked.texel_bits = bits;
+        asked.size = {{40, 200}};
+        asked.tolerance = 10.0;
+        expect_honest(asked);
+        const Table table = bake_film_tables(asked).reflectance;
+        EXPECT_EQ(table.texel_bits, bits);
+        for (const float texel : table.texels)
+            ASSERT_EQ(static_cast<double>(texel),
+                      rounded_texel(static_cast<double>(texel), bits));
+    }
+}
+
 TEST(FilmTableError, OfOneFilmAtAFinerTolerance)
 {
     auto asked = test::anodised();

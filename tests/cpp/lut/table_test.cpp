@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace nacre::lut {
 namespace {
 
@@ -30,6 +32,29 @@ TEST(Axis, IsLinearAndAscends)
 TEST(Axis, OfOneTexelHoldsItsMinimum)
 {
     EXPECT_EQ((Axis{"thickness_nm", "nm", 3.0, 9.0, 1}.at(0)), 3.0);
+}
+
+TEST(RoundedTexel, IsTheNearestOfSoManyBits)
+{
+    EXPECT_EQ(rounded_texel(0.7, 3), 11.0 / 16.0);
+    EXPECT_EQ(rounded_texel(-0.7, 3), -11.0 / 16.0);
+    EXPECT_EQ(rounded_texel(0.99, 3), 1.0);
+    EXPECT_EQ(rounded_texel(1.0, 9), 1.0);
+    EXPECT_EQ(rounded_texel(0.0, 9), 0.0);
+    for (const int bits : {9, 13}) {
+        for (double value = 1.0 / 32.0; value < 3.0; value *= 1.01)
+            EXPECT_LE(std::abs(rounded_texel(value, bits) / value - 1.0), std::ldexp(0.5, -bits));
+    }
+}
+
+TEST(RoundedTexel, HasEqualStepsInTheDark)
+{
+    const double step = std::ldexp(1.0, -5 - 9);
+    for (double value = 0.0; value < 1.0 / 32.0; value += 1.7e-5) {
+        const double rounded = rounded_texel(value, 9);
+        EXPECT_LE(std::abs(rounded - value), 0.5 * step);
+        EXPECT_EQ(rounded, step * std::round(rounded / step));
+    }
 }
 
 }  // namespace

@@ -63,6 +63,8 @@ struct FilmTableRequest {
     /// False: the errors are NaN, and a bake costs a fifth.
     /// @pre true or `size` is set
     bool measure_error = true;
+    /// Texels are rounded to so many bits (rounded_texel) before errors are measured.
+    int texel_bits = kFloatBits;
     /// Single precision: where errors are not measured, no layer is incoherent and there is no
     /// technique; else double.
     Precision precision = Precision::double_precision;

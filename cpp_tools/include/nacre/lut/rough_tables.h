@@ -15,6 +15,9 @@ namespace nacre::lut {
 /// slice a shader interpolates linearly, between two by slice_share().
 inline constexpr int kRoughSlices = 10;
 
+/// Of the texels of rough tables, see rounded_texel(): a tenth of what they are off by between texels.
+inline constexpr int kRoughTexelBits = 9;
+
 /// Share of slice `low` + 1, the rest being that of slice `low`, in what is read between them at
 /// `slice` = roughness × kRoughSlices: linear in alpha², as means over facets and the albedo of a
 /// lobe are for small alpha. Linear in the roughness, tint times albedo of a surface that keeps all

@@ -17,6 +17,12 @@ struct Axis {
     [[nodiscard]] double at(int texel) const noexcept;  ///< value at a texel centre
 };
 
+inline constexpr int kFloatBits = 23;
+
+/// The nearest number with so many bits of mantissa after the leading one. Below 1/32 the step is
+/// that of 1/32: dark colours need not be better in proportion, and files of equal steps are small.
+[[nodiscard]] double rounded_texel(double value, int bits) noexcept;
+
 /// A baked two-dimensional table, row-major; row 0 (the top row of the image) holds `y.min`.
 struct Table {
     std::string name;                   ///< `R`, `T`, `R_bare`, …: the file is `<id>_<name>.exr`
@@ -31,6 +37,8 @@ struct Table {
     std::string error_unit = "dE00";  ///< `1`: of the numbers themselves
     /// Of a third axis, roughness: so many tables side by side along x, see rough_tables.h.
     int slices = 1;
+    /// Of the mantissa, without the leading one, that texels were rounded to.
+    int texel_bits = kFloatBits;
 };
 
 }  // namespace nacre::lut
