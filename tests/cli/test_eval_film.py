@@ -170,6 +170,10 @@ def test_bad_record(nacre, name):
     assert message in nacre.fails("eval", "film", stdin=json.dumps(record))
 
 
+def test_slits_are_seen_straight_ahead_where_no_angle_is_given(nacre):
+    assert nacre.evaluate("slits", {"width_nm": 1000, "wavelength_nm": 550})["intensity"] == 1.0
+
+
 def test_bad_slits(nacre):
     record = {"width_nm": 2000, "spacing_nm": 10, "angle_deg": 10, "wavelength_nm": 500}
     message = nacre.fails("eval", "slits", stdin=json.dumps(record))

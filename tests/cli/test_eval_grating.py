@@ -91,6 +91,18 @@ def test_efficiencies_share_the_reflected_power(nacre, kind):
     assert total == pytest.approx(1.0, abs=1e-6)  # ±3 are evanescent
 
 
+def test_without_a_profile_the_answer_is_directions_alone(nacre):
+    """Where light goes does not depend on the profile, how much of it does."""
+    with_profile = nacre.evaluate("grating", CD)["orders"]
+    bare = {key: value for key, value in CD.items() if key != "profile"}
+    without = nacre.evaluate("grating", bare)["orders"]
+    assert {key for order in without for key in order} == {"order", "direction"}
+    for full, directions in zip(with_profile, without, strict=True):
+        assert full["efficiency"] is not None
+        del full["efficiency"]
+        assert full == directions
+
+
 BAD = {
     "pitch": ({"pitch_nm": 0}, "pitch_nm: must be > 0 (got 0)"),
     "pitch-nan": ({"pitch_nm": math.nan}, "pitch_nm: must be > 0 (got NaN)"),
@@ -110,6 +122,8 @@ BAD = {
         {"profile": {"kind": "blazed", "phase_rad": 1, "depth": 1}},
         "profile.depth: is not known here",
     ),
+    "profile-phase": ({"profile": {"kind": "blazed"}}, "profile.phase_rad: is missing"),
+    "profile-null": ({"profile": None}, "profile: must be an object (got null)"),
     "profile-type": ({"profile": 3}, "profile: must be an object (got 3)"),
 }
 

@@ -284,10 +284,36 @@ def test_all_problems_of_a_record_come_at_once(nacre):
     assert len(errors) == 3
 
 
-@pytest.mark.parametrize("key", ["n", "d_nm", "angle_deg", "wavelength_nm", "pol"])
+@pytest.mark.parametrize("key", ["n", "d_nm", "wavelength_nm"])
 def test_missing_key(nacre, key):
     record = {name: value for name, value in GLASS.items() if name != key}
     assert f"{key}: is missing" in nacre.fails("eval", "stack", stdin=json.dumps(record))
+
+
+ONE_FILM = {"n": [1, 2.2, [2.9, 3.1]], "d_nm": [90], "wavelength_nm": 480}
+ASK_FOR_LIGHT = {
+    "stack": ONE_FILM,
+    "film": {**ONE_FILM, "model": "opaque_base"},
+    "colour": {"n": ONE_FILM["n"], "d_nm": ONE_FILM["d_nm"]},
+}
+
+
+@pytest.mark.parametrize("kind", ASK_FOR_LIGHT)
+def test_light_is_unpolarised_and_comes_straight_on_where_nothing_else_is_said(nacre, kind):
+    record = ASK_FOR_LIGHT[kind]
+    both, angle_only, pol_only, neither, other = nacre.evaluate(
+        kind,
+        [
+            {**record, "angle_deg": 0, "pol": "u"},
+            {**record, "angle_deg": 50},
+            {**record, "pol": "p"},
+            record,
+            {**record, "angle_deg": 50, "pol": "u"},
+        ],
+    )
+    assert neither == both
+    assert angle_only == other != both
+    assert pol_only == nacre.evaluate(kind, {**record, "angle_deg": 0, "pol": "p"})
 
 
 BAD_TEXT = {

@@ -29,8 +29,8 @@ record  {"n": [[re, im], …], "d_nm": […], "angle_deg": 30, "wavelength_nm": 
   n              indices from the ambient to the substrate, [n, k] or n alone: n > 0, k ≥ 0, and
                  k = 0 in the ambient
   d_nm           thickness of the 0 … 64 layers between, ≥ 0
-  angle_deg      angle of incidence in the ambient, in [0, 90)
-  pol            s, p, or u for the mean of both
+  angle_deg      angle of incidence in the ambient, in [0, 90) (default 0)
+  pol            s, p, or u for the mean of both (default u)
   coherence      optional: "c" or "i" a layer (default c); or, as in the tmm package, a medium,
                  with "i" at both ends
   spread_nm      optional: standard deviation of each thickness within what is looked at
@@ -40,8 +40,7 @@ result  {"R": …, "T": …, "A": …, "r": [re, im], "t": [re, im], "A_layers":
         for u and where a layer is incoherent or averaged over
 
 Bare glass reflects 4 %:
-  echo '{"n": [[1,0],[1.5,0]], "d_nm": [], "angle_deg": 0, "wavelength_nm": 550, "pol": "s"}' |
-    nacre eval stack
+  echo '{"n": [1, 1.5], "d_nm": [], "wavelength_nm": 550}' | nacre eval stack
 Silver between two glasses, and how much of the light it keeps:
   echo '{"n": [1, 1.52, [0.05, 3.3], 1.52], "d_nm": [1e6, 20], "coherence": ["i", "c"],
          "angle_deg": 45, "wavelength_nm": 550, "pol": "u", "layers": true}' | nacre eval stack
@@ -87,7 +86,7 @@ record  {"n": ["air", "water/Daimon-20C", 1], "d_nm": [400], "angle_deg": 30, "p
          "coherence": ["c"], "illuminant": "D65", "observer": "cie1931"}
   n              media from the ambient to the substrate: keys of `nacre library list`, n, or [n, k]
   d_nm           thickness of the 0 … 64 layers between, ≥ 0
-  angle_deg      angle of incidence in the ambient, in [0, 90)
+  angle_deg      angle of incidence in the ambient, in [0, 90) (default 0)
   the rest       optional: pol s, p or u (default u); coherence as for `nacre eval stack`;
                  illuminant and observer as for `nacre eval spectrum`
 result  {"reflectance": {"XYZ": […], "Lab": […], "rgb": […]}, "transmittance": {…}, "space": "…",
@@ -109,9 +108,11 @@ record  {"pitch_nm": 1600, "grating_vector": [x, y, z], "normal": [x, y, z], "k_
          "profile": {"kind": "sinusoidal|rectangular|blazed", "phase_rad": 1.5, "duty": 0.5}}
   grating_vector across the grooves; only its part in the surface counts
   k_in           direction of the light, towards the surface; its length does not matter
+  profile        what shares the light among the orders: without it the answer is directions alone
+  phase_rad      from peak to valley, of the reflected light
   duty           in (0, 1), of a rectangular profile (default 0.5)
 result  {"orders": [{"order": m, "direction": [x, y, z], "efficiency": …}, …]}; the direction of an
-        evanescent order is null
+        evanescent order is null; efficiency, with a profile only, is a share of the reflected light
 
 A CD under a light from above:
   echo '{"pitch_nm": 1600, "grating_vector": [1,0,0], "normal": [0,0,1], "k_in": [0,0,-1],
@@ -142,7 +143,7 @@ How far the cut series is off on a high index:
 constexpr const char* kSlitsHelp = R"(
 record  {"width_nm": 2000, "spacing_nm": 6000, "angle_deg": 5, "wavelength_nm": 550}
   spacing_nm     between the centres of two slits, at least their width; without it one slit
-  angle_deg      away from straight ahead, in [-90, 90]
+  angle_deg      away from straight ahead, in [-90, 90] (default 0)
 result  {"intensity": …}, far behind the slits, 1 straight ahead
 
 The first dark fringe of two slits:

@@ -29,6 +29,12 @@ using RecordEvaluator = std::function<ordered_json(const json& record)>;
 /// `coherence`: one flag a layer, true where it is coherent.
 [[nodiscard]] std::vector<bool> read_coherence(ObjectReader& reader, std::size_t layers);
 
+/// `angle_deg` in the ambient, by default 0: straight on.
+[[nodiscard]] std::optional<double> read_angle(ObjectReader& reader);
+
+/// `pol`: s, p or u, by default u.
+[[nodiscard]] std::optional<std::string> read_polarisation(ObjectReader& reader);
+
 /// `observer`, by default CIE 1931.
 [[nodiscard]] spectral::ObserverId read_observer(ObjectReader& reader);
 

@@ -81,8 +81,8 @@ ColourQuestion read_question(const json& record)
                                            "(got {})",
                                            layers, thickness->size()));
     question.stack.coherent = read_coherence(reader, layers);
-    const auto angle = reader.number("angle_deg", {0.0, 90.0, false, true});
-    const auto polarisation = reader.optional("pol") ? reader.choice("pol", {"s", "p", "u"}) : "u";
+    const auto angle = read_angle(reader);
+    const auto polarisation = read_polarisation(reader);
     question.observer = read_observer(reader);
     const auto illuminant =
         reader.optional("illuminant") ? read_illuminant(reader) : spectral::named_illuminant("D65");

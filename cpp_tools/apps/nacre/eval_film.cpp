@@ -70,8 +70,7 @@ FilmQuestion read_film(const json& record)
                                                "free_film", "etalon", "recursion", "uv"});
     const auto n = read_indices(reader, problems);
     const auto d_nm = reader.numbers("d_nm", kNotNegative);
-    const Range angles{0.0, 90.0, false, true};
-    const auto angle = reader.number("angle_deg", angles);
+    const auto angle = read_angle(reader);
     const auto wavelength = reader.number("wavelength_nm", kPositive);
     if (model == "recursion" && !n.empty() && d_nm)
         check_stack(reader, n, *d_nm);
@@ -80,10 +79,10 @@ FilmQuestion read_film(const json& record)
     std::optional<double> view, mirror;
     std::optional<std::string> polarisation = "u";
     if (model == "path_difference")
-        view = reader.number("view_angle_deg", angles);
+        view = reader.number("view_angle_deg", {0.0, 90.0, false, true});
     else if (model)
-        polarisation = reader.choice("pol", {"s", "p", "u"});
-    if (model == "etalon" && reader.has("mirror_reflectance"))
+        polarisation = read_polarisation(reader);
+    if (model == "etalon" && reader.optional("mirror_reflectance"))
         mirror = reader.number("mirror_reflectance", {0.0, 1.0, false, true});
     if (model) reader.refuse_unknown_keys();
     problems.throw_if_any();
@@ -161,13 +160,9 @@ ordered_json evaluate_slits(const json& record)
     DiagnosticList problems;
     ObjectReader reader(record, "", problems);
     const auto width = reader.number("width_nm", kPositive);
-    const auto angle = reader.number("angle_deg", {-90.0, 90.0});
+    const auto angle = reader.number_or("angle_deg", {-90.0, 90.0}, 0.0);
     const auto wavelength = reader.number("wavelength_nm", kPositive);
-    std::optional<double> spacing = 0.0;
-    if (reader.has("spacing_nm"))
-        spacing = reader.number("spacing_nm", kPositive);
-    else
-        (void)reader.optional("spacing_nm");
+    const auto spacing = reader.number_or("spacing_nm", kPositive, 0.0);
     reader.refuse_unknown_keys();
     problems.throw_if_any();
     const double sine = std::sin(*angle * std::numbers::pi / 180.0);

@@ -53,23 +53,19 @@ std::optional<std::array<int, 2>> read_orders(ObjectReader& reader)
     return std::nullopt;
 }
 
-optics::GratingProfile read_profile(ObjectReader& reader, DiagnosticList& problems)
+optics::GratingProfile read_profile(const json& member, DiagnosticList& problems)
 {
     optics::GratingProfile profile;
-    const json* member = reader.required("profile");
-    if (!member) return profile;
-    ObjectReader inner(*member, "profile", problems);
-    if (!member->is_object()) return profile;
+    ObjectReader inner(member, "profile", problems);
+    if (!member.is_object()) return profile;
     const auto kind = inner.choice("kind", {"sinusoidal", "rectangular", "blazed"});
     const auto phase = inner.number("phase_rad", kAnyNumber);
-    if (inner.has("duty"))
-        profile.duty = inner.number("duty", {0.0, 1.0, true, true}).value_or(profile.duty);
-    else
-        (void)inner.optional("duty");
+    const auto duty = inner.number_or("duty", {0.0, 1.0, true, true}, profile.duty);
     inner.refuse_unknown_keys();
     if (kind == "rectangular") profile.kind = optics::ProfileKind::rectangular;
     if (kind == "blazed") profile.kind = optics::ProfileKind::blazed;
     profile.phase_rad = phase.value_or(0.0);
+    profile.duty = duty.value_or(profile.duty);
     return profile;
 }
 
@@ -97,7 +93,9 @@ ordered_json evaluate_grating(const json& record)
     const auto k_in = read_direction(reader, "k_in");
     const auto wavelength = reader.number("wavelength_nm", kPositive);
     const auto orders = read_orders(reader);
-    const auto profile = read_profile(reader, problems);
+    // How the light is shared follows from the profile, where it goes does not.
+    const json* const member = reader.optional("profile");
+    const auto profile = member ? read_profile(*member, problems) : optics::GratingProfile{};
     if (vector && normal && k_in) check_geometry(reader, *vector, *normal, *k_in);
     reader.refuse_unknown_keys();
     problems.throw_if_any();
@@ -105,10 +103,10 @@ ordered_json evaluate_grating(const json& record)
     ordered_json list = ordered_json::array();
     for (const auto& order : optics::grating_orders({*pitch, *vector, *normal, profile}, *k_in,
                                                     *wavelength, (*orders)[0], (*orders)[1])) {
-        ordered_json direction = nullptr;
-        if (order.direction) direction = *order.direction;
-        list.push_back(
-            {{"order", order.order}, {"direction", direction}, {"efficiency", order.efficiency}});
+        ordered_json answer = {{"order", order.order}, {"direction", nullptr}};
+        if (order.direction) answer["direction"] = *order.direction;
+        if (member) answer["efficiency"] = order.efficiency;
+        list.push_back(std::move(answer));
     }
     return {{"orders", std::move(list)}};
 }

@@ -59,6 +59,16 @@ std::vector<Complex> read_indices(ObjectReader& reader, DiagnosticList& problems
     return indices.size() == list->size() ? indices : std::vector<Complex>{};
 }
 
+std::optional<double> read_angle(ObjectReader& reader)
+{
+    return reader.number_or("angle_deg", {0.0, 90.0, false, true}, 0.0);
+}
+
+std::optional<std::string> read_polarisation(ObjectReader& reader)
+{
+    return reader.choice_or("pol", {"s", "p", "u"}, "u");
+}
+
 namespace {
 
 bool is_word(const json& value, std::string_view word)
@@ -102,7 +112,7 @@ namespace {
 std::vector<double> read_spread(ObjectReader& reader, const std::vector<bool>& coherent)
 {
     std::vector<double> none(coherent.size(), 0.0);
-    if (!reader.has("spread_nm")) return none;
+    if (!reader.optional("spread_nm")) return none;
     const auto spread = reader.numbers("spread_nm", kNotNegative);
     if (!spread) return none;
     if (spread->size() != coherent.size()) {
@@ -141,17 +151,16 @@ StackQuestion read_stack(const json& record)
     ObjectReader reader(record, "", problems);
     const auto n = read_indices(reader, problems);
     const auto thickness = reader.numbers("d_nm", kNotNegative);
-    const auto angle = reader.number("angle_deg", {0.0, 90.0, false, true});
+    const auto angle = read_angle(reader);
     const auto wavelength = reader.number("wavelength_nm", kPositive);
-    const auto polarisation = reader.choice("pol", {"s", "p", "u"});
+    const auto polarisation = read_polarisation(reader);
     if (!n.empty() && thickness && thickness->size() + 2 != n.size())
         reader.problem("d_nm", fmt::format("must have one thickness for each of the {} layers of n "
                                            "(got {})",
                                            n.size() - 2, thickness->size()));
     const auto coherent = read_coherence(reader, n.empty() ? 0 : n.size() - 2);
     const auto spread = read_spread(reader, coherent);
-    const auto bandwidth =
-        reader.has("bandwidth_nm") ? reader.number("bandwidth_nm", kNotNegative) : 0.0;
+    const auto bandwidth = reader.number_or("bandwidth_nm", kNotNegative, 0.0);
     const bool wants_layers = read_wants_layers(reader);
     const bool averages =
         bandwidth.value_or(0.0) > 0.0 ||

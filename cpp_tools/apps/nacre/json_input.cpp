@@ -261,7 +261,7 @@ const json* ObjectReader::required(const char* key)
 
 const json* ObjectReader::optional(const char* key)
 {
-    known_.emplace_back(key);
+    if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
     return has(key) ? &object_.at(key) : nullptr;
 }
 
@@ -269,6 +269,11 @@ std::optional<double> ObjectReader::number(const char* key, const Range& range)
 {
     const json* member = required(key);
     return member ? read_number(*member, field(key), range, problems_) : std::nullopt;
+}
+
+std::optional<double> ObjectReader::number_or(const char* key, const Range& range, double fallback)
+{
+    return optional(key) ? number(key, range) : fallback;
 }
 
 std::optional<std::vector<double>> ObjectReader::numbers(const char* key, const Range& range)
@@ -305,6 +310,13 @@ std::optional<std::string> ObjectReader::choice(const char* key,
     if (!value || std::find(allowed.begin(), allowed.end(), *value) != allowed.end()) return value;
     problem(key, fmt::format("must be one of {} (got \"{}\")", fmt::join(allowed, ", "), *value));
     return std::nullopt;
+}
+
+std::optional<std::string> ObjectReader::choice_or(const char* key,
+                                                   std::vector<std::string_view> allowed,
+                                                   const char* fallback)
+{
+    return optional(key) ? choice(key, std::move(allowed)) : fallback;
 }
 
 void ObjectReader::refuse_unknown_keys()

@@ -62,10 +62,15 @@ public:
     const json* optional(const char* key);
 
     std::optional<double> number(const char* key, const Range& range);
+    /// `fallback` where the member is missing.
+    std::optional<double> number_or(const char* key, const Range& range, double fallback);
     std::optional<std::vector<double>> numbers(const char* key, const Range& range);
     std::optional<std::string> text(const char* key);
     /// @param allowed  in the order in which the message lists them
     std::optional<std::string> choice(const char* key, std::vector<std::string_view> allowed);
+    /// `fallback` where the member is missing.
+    std::optional<std::string> choice_or(const char* key, std::vector<std::string_view> allowed,
+                                         const char* fallback);
 
     /// Every key that was not asked for is a problem; the message lists those that exist.
     void refuse_unknown_keys();
