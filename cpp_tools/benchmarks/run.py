@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Benchmarks against peers as ratios: `./dev bench`, or `run.py -o FOLDER [PART…]`.
 
-Needs what `./dev` sets up: NACRE_LIBRARY for the stacks; for the renders NACRE_PYTHON (a Python with
-bpy), NACRE_BPY52 (one with Blender 5.2) where it is there, and NACRE_MATERIALS (compiled materials);
-NACRE_FMA_PEAK (a program) for the scaling; the environment of the render tests for the colours. A
-target that is missed is reported, not an error.
+Needs what `./dev` sets up: NACRE (the tool) for its start; NACRE_LIBRARY for the stacks; for the
+renders NACRE_PYTHON (a Python with bpy), NACRE_BPY52 (one with Blender 5.2) where it is there, and
+NACRE_MATERIALS (compiled materials); NACRE_FMA_PEAK (a program) for the scaling; the environment of
+the render tests for the colours. A target that is missed is reported, not an error.
 """
 
 from __future__ import annotations
@@ -37,6 +37,12 @@ PEERS = {"principled": "Principled with thin film", "metallic": "Metallic with t
 
 def stacks() -> list[Result]:
     import stacks as benchmark  # loads the library, which the other part does without
+
+    return benchmark.results()
+
+
+def start_up() -> list[Result]:
+    import start_up as benchmark
 
     return benchmark.results()
 
@@ -109,7 +115,7 @@ def colour() -> list[Result]:
     ]
 
 
-PARTS = {"stacks": stacks, "render": render, "colour": colour}
+PARTS = {"start": start_up, "stacks": stacks, "render": render, "colour": colour}
 
 
 def scaling(folder: Path) -> str:

@@ -11,6 +11,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -25,16 +26,10 @@ namespace {
 /// Owns what posix_spawn is told about files and signals.
 class SpawnSetup {
 public:
-    SpawnSetup(const ChildOptions& options, int output)
+    SpawnSetup()
     {
         posix_spawn_file_actions_init(&actions);
         posix_spawnattr_init(&attributes);
-        if (!options.folder.empty())
-            posix_spawn_file_actions_addchdir_np(&actions, options.folder.c_str());
-        if (output >= 0) {
-            posix_spawn_file_actions_adddup2(&actions, output, STDOUT_FILENO);
-            posix_spawn_file_actions_adddup2(&actions, output, STDERR_FILENO);
-        }
         // Signals that we ignore would stay ignored in the child.
         sigset_t defaults;
         sigemptyset(&defaults);
@@ -74,16 +69,59 @@ std::vector<char*> pointers(std::vector<std::string>& strings)
     return result;
 }
 
-std::string read_to_end(int descriptor)
+[[noreturn]] void throw_start_error(const std::string& program, int error)
 {
-    std::string text;
-    std::array<char, 4096> block;
-    for (;;) {
-        const ssize_t count = read(descriptor, block.data(), block.size());
-        if (count < 0 && errno == EINTR) continue;
-        if (count <= 0) return text;
-        text.append(block.data(), static_cast<std::size_t>(count));
+    throw InputError({program, 0, "", fmt::format("cannot be started: {}", std::strerror(error))});
+}
+
+pid_t spawn(const std::vector<std::string>& command,
+            const std::map<std::string, std::string>& extra_environment, const SpawnSetup& setup)
+{
+    std::vector<std::string> arguments = command;
+    std::vector<std::string> environment = environment_with(extra_environment);
+    pid_t child = 0;
+    const int error =
+        posix_spawnp(&child, command.front().c_str(), &setup.actions, &setup.attributes,
+                     pointers(arguments).data(), pointers(environment).data());
+    if (error != 0) throw_start_error(command.front(), error);
+    return child;
+}
+
+/// Both ends of a pipe, which no child inherits by chance.
+class Pipe {
+public:
+    explicit Pipe(const std::string& program)
+    {
+        if (pipe2(ends_.data(), O_CLOEXEC) != 0) throw_start_error(program, errno);
     }
+    Pipe(const Pipe&) = delete;
+    Pipe& operator=(const Pipe&) = delete;
+    ~Pipe()
+    {
+        for (const int end : ends_)
+            if (end >= 0) close(end);
+    }
+    [[nodiscard]] int read_end() const noexcept { return ends_[0]; }
+    [[nodiscard]] int write_end() const noexcept { return ends_[1]; }
+    void close_write_end() { close(std::exchange(ends_[1], -1)); }
+    [[nodiscard]] int release_read_end() noexcept { return std::exchange(ends_[0], -1); }
+    [[nodiscard]] int release_write_end() noexcept { return std::exchange(ends_[1], -1); }
+
+private:
+    std::array<int, 2> ends_{-1, -1};
+};
+
+/// Appends what there is; false at the end.
+bool read_some(int descriptor, std::string& text)
+{
+    std::array<char, 4096> block;
+    ssize_t count = 0;
+    do {
+        count = read(descriptor, block.data(), block.size());
+    } while (count < 0 && errno == EINTR);
+    if (count <= 0) return false;
+    text.append(block.data(), static_cast<std::size_t>(count));
+    return true;
 }
 
 int wait_for(pid_t child)
@@ -104,30 +142,70 @@ bool is_executable_file(const std::filesystem::path& path)
 
 ChildResult run_child(const std::vector<std::string>& command, const ChildOptions& options)
 {
-    std::array<int, 2> pipe_ends{-1, -1};
-    if (options.capture && pipe2(pipe_ends.data(), O_CLOEXEC) != 0)
-        throw InputError(
-            {command.front(), 0, "", fmt::format("cannot be started: {}", std::strerror(errno))});
-    std::vector<std::string> arguments = command;
-    std::vector<std::string> environment = environment_with(options.environment);
-    const SpawnSetup setup(options, pipe_ends[1]);
-    pid_t child = 0;
-    const int error =
-        posix_spawnp(&child, command.front().c_str(), &setup.actions, &setup.attributes,
-                     pointers(arguments).data(), pointers(environment).data());
-    if (options.capture) close(pipe_ends[1]);
-    ChildResult result{0, {}};
-    if (error == 0) {
-        forward_signals_to(child);
-        if (options.capture) result.output = read_to_end(pipe_ends[0]);
-        result.exit_code = wait_for(child);
-        forward_signals_to(0);
+    std::optional<Pipe> pipe;
+    SpawnSetup setup;
+    if (options.capture) {
+        pipe.emplace(command.front());
+        posix_spawn_file_actions_adddup2(&setup.actions, pipe->write_end(), STDOUT_FILENO);
+        posix_spawn_file_actions_adddup2(&setup.actions, pipe->write_end(), STDERR_FILENO);
     }
-    if (options.capture) close(pipe_ends[0]);
-    if (error != 0)
-        throw InputError(
-            {command.front(), 0, "", fmt::format("cannot be started: {}", std::strerror(error))});
+    std::vector<std::string> arguments = command;
+    // By a shell: posix_spawn changes folders from glibc 2.29 on only.
+    if (!options.folder.empty())
+        arguments.insert(arguments.begin(),
+                         {"/bin/sh", "-c", R"(cd -- "$0" && exec "$@")", options.folder.string()});
+    const pid_t child = spawn(arguments, options.environment, setup);
+    ChildResult result{0, {}};
+    forward_signals_to(child);
+    if (pipe) {
+        pipe->close_write_end();
+        while (read_some(pipe->read_end(), result.output)) {
+        }
+    }
+    result.exit_code = wait_for(child);
+    forward_signals_to(0);
     return result;
+}
+
+Dialogue::Dialogue(const std::vector<std::string>& command,
+                   const std::map<std::string, std::string>& environment)
+{
+    Pipe input(command.front()), output(command.front());
+    SpawnSetup setup;
+    posix_spawn_file_actions_adddup2(&setup.actions, input.read_end(), STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&setup.actions, output.write_end(), STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&setup.actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    child_ = spawn(command, environment, setup);
+    input_ = input.release_write_end();
+    output_ = output.release_read_end();
+}
+
+Dialogue::~Dialogue()
+{
+    close(input_);
+    close(output_);
+    (void)wait_for(child_);
+}
+
+std::optional<std::string> Dialogue::read_line()
+{
+    std::size_t end = 0;
+    while ((end = unread_.find('\n')) == std::string::npos)
+        if (!read_some(output_, unread_)) return std::nullopt;
+    std::string line = unread_.substr(0, end);
+    unread_.erase(0, end + 1);
+    return line;
+}
+
+void Dialogue::write_line(std::string text)
+{
+    text += '\n';
+    for (std::string_view rest = text; !rest.empty();) {
+        const ssize_t count = write(input_, rest.data(), rest.size());
+        if (count < 0 && errno == EINTR) continue;
+        if (count <= 0) return;
+        rest.remove_prefix(static_cast<std::size_t>(count));
+    }
 }
 
 std::optional<std::filesystem::path> find_program(const std::string& name)

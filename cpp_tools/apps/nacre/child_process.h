@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <sys/types.h>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -28,6 +29,28 @@ struct ChildResult {
 /// @throws InputError when the program cannot be started
 [[nodiscard]] ChildResult run_child(const std::vector<std::string>& command,
                                     const ChildOptions& options);
+
+/// A program that is asked and answers in lines while this lives. It is to end with its input, as
+/// it does where we are killed; what it writes to stderr is dropped.
+class Dialogue {
+public:
+    /// @throws InputError when the program cannot be started
+    Dialogue(const std::vector<std::string>& command,
+             const std::map<std::string, std::string>& environment);
+    Dialogue(const Dialogue&) = delete;
+    Dialogue& operator=(const Dialogue&) = delete;
+    ~Dialogue();
+
+    /// Its next line; nothing once it has ended.
+    [[nodiscard]] std::optional<std::string> read_line();
+    /// One that has ended shows in the next read_line().
+    void write_line(std::string text);
+
+private:
+    int input_ = -1, output_ = -1;  ///< of the program
+    pid_t child_ = 0;
+    std::string unread_;
+};
 
 /// A program on PATH, or at the path given when it holds a slash.
 [[nodiscard]] std::optional<std::filesystem::path> find_program(const std::string& name);

@@ -3,26 +3,19 @@
 #include "colour_target.h"
 
 #include <cmath>
-#include <vector>
 
-#include <OpenColorIO/OpenColorIO.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "colour_config.h"
 #include "nacre/core/diagnostics.h"
-#include "nacre/core/file_io.h"
-
-namespace OCIO = OCIO_NAMESPACE;
 
 namespace nacre::tool {
 namespace {
 
 using spectral::Mat3;
 using spectral::Vec3;
-
-/// Through this role all configs agree on what XYZ is.
-constexpr const char* kInterchangeRole = "cie_xyz_d65_interchange";
 
 double determinant(const Mat3& m)
 {
@@ -59,83 +52,23 @@ std::array<double, 8> chromaticities(const Mat3& to_xyz)
     return xy;
 }
 
-std::string first_line(const char* text)
+/// @throws InputError for a space that has no way from XYZ
+std::function<Vec3(const Vec3&)> conversion(const std::string& file, const std::string& name)
 {
-    const std::string_view view = text;
-    return std::string(view.substr(0, view.find('\n')));
-}
-
-/// @throws InputError where OpenColorIO has no configs inside, as it has from 2.2 on
-void check_built_in_configs(const std::string& uri)
-{
-    constexpr int kFirst = 0x02020000;
-    if (OCIO::GetVersionHex() >= kFirst) return;
-    throw InputError(
-        {uri, 0, "--config",
-         fmt::format("is a config that OpenColorIO 2.2 and later have inside, and this "
-                     "tool has OpenColorIO {}: give a config.ocio file",
-                     OCIO::GetVersion())});
-}
-
-OCIO::ConstConfigRcPtr load_config(const std::string& file)
-{
-    if (file.starts_with("ocio://"))
-        check_built_in_configs(file);
-    else
-        (void)read_text(file);  // a missing file gets the message that every missing file gets
-    OCIO::SetLoggingLevel(OCIO::LOGGING_LEVEL_NONE);
-    try {
-        OCIO::ConstConfigRcPtr config = OCIO::Config::CreateFromFile(file.c_str());
-        config->validate();
-        return config;
-    } catch (const OCIO::Exception& error) {
-        throw InputError({file, 0, "",
-                          fmt::format("cannot be used as a colour config by OpenColorIO {}: {}",
-                                      OCIO::GetVersion(), first_line(error.what()))});
-    }
-}
-
-/// The colour space behind a name or role.
-OCIO::ConstColorSpaceRcPtr find_space(const OCIO::ConstConfigRcPtr& config, const std::string& file,
-                                      const std::string& name)
-{
-    OCIO::ConstColorSpaceRcPtr space = config->getColorSpace(name.c_str());
-    if (!space) {
-        std::vector<std::string> names;
-        const int spaces = config->getNumColorSpaces(), roles = config->getNumRoles();
-        names.reserve(static_cast<std::size_t>(spaces) + static_cast<std::size_t>(roles));
-        for (int i = 0; i < spaces; ++i) names.emplace_back(config->getColorSpaceNameByIndex(i));
-        for (int i = 0; i < roles; ++i) names.emplace_back(config->getRoleName(i));
+    ConfigSpace space = read_config_space(file, name);
+    if (!space.is_known)
         throw InputError({file, 0, "--space",
                           fmt::format("must be a space or role of the config: {} (got {})",
-                                      fmt::join(names, ", "), name)});
-    }
-    if (space->isData())
+                                      fmt::join(space.names, ", "), name)});
+    if (space.is_data)
         throw InputError(
             {file, 0, "--space", fmt::format("must be a space of colours; {} holds data", name)});
-    return space;
-}
-
-std::function<Vec3(const Vec3&)> conversion(const OCIO::ConstConfigRcPtr& config,
-                                            const std::string& file, const std::string& name)
-{
-    if (!config->hasRole(kInterchangeRole))
+    if (!space.has_interchange)
         throw InputError({file, 0, "roles",
                           fmt::format("must have {}, through which XYZ enters", kInterchangeRole)});
-    try {
-        const OCIO::ConstCPUProcessorRcPtr processor =
-            config->getProcessor(kInterchangeRole, name.c_str())
-                ->getOptimizedCPUProcessor(OCIO::OPTIMIZATION_LOSSLESS);
-        return [processor](const Vec3& xyz) {
-            float pixel[3] = {static_cast<float>(xyz[0]), static_cast<float>(xyz[1]),
-                              static_cast<float>(xyz[2])};
-            processor->applyRGB(pixel);
-            return Vec3{pixel[0], pixel[1], pixel[2]};
-        };
-    } catch (const OCIO::Exception& error) {
-        throw InputError(
-            {file, 0, "--space", fmt::format("{}: {}", name, first_line(error.what()))});
-    }
+    if (!space.failure.empty())
+        throw InputError({file, 0, "--space", fmt::format("{}: {}", name, space.failure)});
+    return space.from_xyz_d65;
 }
 
 /// The matrix of a conversion, or nothing where it is not one: negative, dark and bright colours,
@@ -161,9 +94,7 @@ std::optional<Mat3> matrix_of(const std::function<Vec3(const Vec3&)>& convert)
 
 ColourTarget config_target(const std::string& file, const std::string& name)
 {
-    const OCIO::ConstConfigRcPtr config = load_config(file);
-    (void)find_space(config, file, name);
-    ColourTarget target{name, conversion(config, file, name), std::nullopt, false};
+    ColourTarget target{name, conversion(file, name), std::nullopt, false};
     if (const auto matrix = matrix_of(target.from_xyz_d65)) {
         const Mat3 to_xyz = inverse(*matrix);
         target.linear = {name, *matrix, to_xyz, chromaticities(to_xyz)};
@@ -190,7 +121,9 @@ void add_colour_target_options(CLI::App& command, ColourTargetOptions& options)
                                 "lin_rec709_scene, with --config its role scene_linear)",
                                 fmt::join(spectral::colour_space_names(), ", ")))
         ->type_name("NAME");
-    command.add_option("--config", options.config, "OpenColorIO config that defines --space")
+    command
+        .add_option("--config", options.config,
+                    "OpenColorIO config that defines --space, or a URI such as ocio://default")
         ->type_name("FILE");
 }
 

@@ -18,7 +18,7 @@ class App;
 namespace nacre::tool {
 
 struct ColourTargetOptions {
-    std::string config;  ///< file; empty: the built-in spaces
+    std::string config;  ///< file or URI; empty: the built-in spaces
     std::string space;   ///< empty: lin_rec709_scene, or the config's role `scene_linear`
 };
 

@@ -3,13 +3,14 @@
 #include <cmath>
 #include <memory>
 
-#include <OpenImageIO/imagebufalgo.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "image_difference.h"
+#include "module_loader.h"
+#include "modules/image_codec.h"
 #include "nacre/core/diagnostics.h"
 #include "output.h"
 #include "session.h"
@@ -77,12 +78,8 @@ void write_heatmap(const std::string& file, const ImageDifference& difference, i
     }
     for (float& value : map.pixels)  // not finite: as bad as can be
         value = std::isfinite(value) ? std::min(1.0F, value / static_cast<float>(limit)) : 1.0F;
-    const OIIO::ImageBuf values(OIIO::ImageSpec(width, height, 1, OIIO::TypeDesc::FLOAT),
-                                map.pixels.data());
-    const OIIO::ImageBuf colours = OIIO::ImageBufAlgo::color_map(values, 0, "inferno");
-    Image picture{width, height, {"R", "G", "B"}, {}};
-    picture.pixels.resize(map.pixels.size() * 3);
-    colours.get_pixels(colours.roi(), OIIO::TypeDesc::FLOAT, picture.pixels.data());
+    const Image picture{
+        width, height, {"R", "G", "B"}, loaded_module<ImageCodec>().inferno(std::move(map.pixels))};
     write_text_output(file, encode_image(picture, {}, encoding));
 }
 

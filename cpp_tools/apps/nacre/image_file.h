@@ -9,7 +9,7 @@
 #include <vector>
 
 /// @file
-/// Images in and out, by OpenImageIO.
+/// Images in and out, by OpenImageIO, which is loaded with the first (module_loader.h).
 
 namespace nacre::tool {
 

@@ -11,6 +11,7 @@
 #include "compile.h"
 #include "nacre/core/diagnostics.h"
 #include "output.h"
+#include "python_search.h"
 #include "session.h"
 #include "share_files.h"
 #include "signals.h"
@@ -81,16 +82,10 @@ Renderer blender_renderer(const fs::path& blender, const std::string& origin)
             fmt::format("{} ({})", blender.string(), origin)};
 }
 
-std::string environment(const char* name)
-{
-    const char* value = std::getenv(name);
-    return value ? value : "";
-}
-
 /// What the user named has to work: falling back would hide a mistyped path.
 std::optional<Renderer> named_renderer()
 {
-    if (const std::string python = environment("NACRE_PYTHON"); !python.empty()) {
+    if (const std::string python = environment_variable("NACRE_PYTHON"); !python.empty()) {
         const auto program = find_program(python);
         if (!program || !has_bpy(*program))
             throw InputError(
@@ -98,7 +93,7 @@ std::optional<Renderer> named_renderer()
                  fmt::format("must be a Python that can import bpy (got {})", python)});
         return python_renderer(*program, "NACRE_PYTHON");
     }
-    if (const std::string blender = environment("NACRE_BLENDER"); !blender.empty()) {
+    if (const std::string blender = environment_variable("NACRE_BLENDER"); !blender.empty()) {
         const auto program = find_program(blender);
         if (!program)
             throw InputError({"", 0, "NACRE_BLENDER",
@@ -111,18 +106,10 @@ std::optional<Renderer> named_renderer()
 Renderer find_renderer()
 {
     if (auto named = named_renderer()) return *named;
-    // In a build tree share/nacre/addon is a link into the checkout.
-    const fs::path share = share_path("addon");
-    for (const fs::path& home :
-         {fs::canonical(share).parent_path(), share.parent_path().parent_path().parent_path()}) {
-        const fs::path python = home / ".venv" / "bin" / "python";
-        if (find_program(python.string()) && has_bpy(python))
-            return python_renderer(python, "environment of " + home.string());
-    }
-    if (const auto python = find_program("python3"); python && has_bpy(*python))
-        return python_renderer(*python, "python3 on the path");
-    if (const auto blender = find_program("blender"))
-        return blender_renderer(*blender, "on the path");
+    for (const FoundProgram& python : pythons_at_hand())
+        if (has_bpy(python.path)) return python_renderer(python.path, python.origin);
+    if (const auto blender = blender_at_hand())
+        return blender_renderer(blender->path, blender->origin);
     throw InputError({"", 0, "", kHowToInstall});
 }
 
@@ -181,7 +168,7 @@ int render(const Session& session, std::vector<std::string> arguments)
     session.note("uses " + renderer.description);
     renderer.command.insert(renderer.command.end(), arguments.begin(), arguments.end());
     ChildOptions options;
-    if (environment("NACRE_MATERIALS").empty())
+    if (environment_variable("NACRE_MATERIALS").empty())
         options.environment["NACRE_MATERIALS"] = share_path("materials").string();
     const int code = run_child(renderer.command, options).exit_code;
     check_interrupted();
