@@ -14,29 +14,10 @@
 namespace nacre::tool {
 namespace {
 
+using spectral::determinant;
+using spectral::inverse;
 using spectral::Mat3;
 using spectral::Vec3;
-
-double determinant(const Mat3& m)
-{
-    return m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-           m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-           m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-}
-
-/// By cofactors; the indices wrap round, which gives each cofactor its sign.
-Mat3 inverse(const Mat3& m)
-{
-    const double det = determinant(m);
-    Mat3 result{};
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column) {
-            const std::size_t i = (column + 1) % 3, j = (column + 2) % 3;
-            const std::size_t k = (row + 1) % 3, l = (row + 2) % 3;
-            result[row][column] = (m[i][k] * m[j][l] - m[i][l] * m[j][k]) / det;
-        }
-    return result;
-}
 
 std::array<double, 8> chromaticities(const Mat3& to_xyz)
 {
@@ -48,7 +29,7 @@ std::array<double, 8> chromaticities(const Mat3& to_xyz)
     };
     for (std::size_t primary = 0; primary < 3; ++primary)
         set(2 * primary, {to_xyz[0][primary], to_xyz[1][primary], to_xyz[2][primary]});
-    set(6, multiply(to_xyz, {1.0, 1.0, 1.0}));
+    set(6, multiply(to_xyz, Vec3{1.0, 1.0, 1.0}));
     return xy;
 }
 
@@ -103,15 +84,6 @@ ColourTarget config_target(const std::string& file, const std::string& name)
 }
 
 }  // namespace
-
-Vec3 multiply(const Mat3& m, const Vec3& v) noexcept
-{
-    Vec3 result{};
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column)
-            result[row] += m[row][column] * v[column];
-    return result;
-}
 
 void add_colour_target_options(CLI::App& command, ColourTargetOptions& options)
 {

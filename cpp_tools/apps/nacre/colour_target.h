@@ -31,8 +31,7 @@ struct ColourTarget {
     bool built_in = true;
 };
 
-/// m · v
-[[nodiscard]] spectral::Vec3 multiply(const spectral::Mat3& m, const spectral::Vec3& v) noexcept;
+using spectral::multiply;
 
 void add_colour_target_options(CLI::App& command, ColourTargetOptions& options);
 

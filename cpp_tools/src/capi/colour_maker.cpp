@@ -8,16 +8,7 @@
 
 namespace nacre::capi {
 
-using spectral::Vec3;
-
-Vec3 multiply(const spectral::Mat3& matrix, const Vec3& vector)
-{
-    Vec3 product{};
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column)
-            product[row] += matrix[row][column] * vector[column];
-    return product;
-}
+using spectral::multiply, spectral::Vec3;
 
 ColourMaker::ColourMaker(const nacre_colour_options& options)
     : reflectance_(options.reflectance != 0)

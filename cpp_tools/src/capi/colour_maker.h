@@ -34,7 +34,4 @@ private:
     spectral::Mat3 to_d65_{};
 };
 
-/// m · v
-[[nodiscard]] spectral::Vec3 multiply(const spectral::Mat3& matrix, const spectral::Vec3& vector);
-
 }  // namespace nacre::capi

@@ -137,7 +137,7 @@ nacre_status nacre_stack_colours(const nacre_colour_stacks* stacks,
             reflectance_weights(make.light(), make.observer(), space, spectral::Adaptation::none));
         for (std::size_t i = 0; i < colours.size(); ++i) {
             const auto colour = [&](const spectral::Vec3& rgb) {
-                return make.from_xyz(capi::multiply(space.to_xyz_d65, rgb));
+                return make.from_xyz(spectral::multiply(space.to_xyz_d65, rgb));
             };
             if (reflectance) reflectance[i] = colour(colours[i].reflectance);
             if (transmittance) transmittance[i] = colour(colours[i].transmittance);

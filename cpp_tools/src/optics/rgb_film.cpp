@@ -13,7 +13,7 @@
 namespace nacre::optics {
 namespace {
 
-using spectral::Mat3, spectral::Vec3;
+using spectral::Mat3, spectral::multiply, spectral::Vec3;
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kOrders = 2;
@@ -30,14 +30,6 @@ constexpr Mat3 kToCieRgb{{{2.3706743, -0.9000405, -0.4706338},
 double square(double x)
 {
     return x * x;
-}
-
-Vec3 product(const Mat3& m, const Vec3& v)
-{
-    Vec3 result{};
-    for (std::size_t row = 0; row < 3; ++row)
-        result[row] = m[row][0] * v[0] + m[row][1] * v[1] + m[row][2] * v[2];
-    return result;
 }
 
 /// A Gaussian over wavenumber 1/λ, by its scale, centre in 1/m and variance in 1/m².
@@ -105,7 +97,7 @@ Vec3 iridescent_fresnel(const KhrIridescence& surface, double cos_1)
     }
     const double path_nm = 2.0 * film * surface.film_nm * cos_2;
     for (int m = 1; m <= kOrders; ++m) {
-        const Vec3 rgb = product(
+        const Vec3 rgb = multiply(
             kToRec709, sensitivity(m * path_nm, {m * phase[0], m * phase[1], m * phase[2]}));
         for (std::size_t c = 0; c < 3; ++c)
             result[c] += orders[c].first * std::pow(orders[c].ratio, m) * 2.0 * rgb[c];
@@ -164,7 +156,8 @@ Vec3 materialx_film(const MaterialXFilm& film, double cos_theta)
 {
     const Vec3 s = polarised_film(film, cos_theta, false);
     const Vec3 p = polarised_film(film, cos_theta, true);
-    Vec3 rgb = product(kToCieRgb, {(s[0] + p[0]) / 2.0, (s[1] + p[1]) / 2.0, (s[2] + p[2]) / 2.0});
+    Vec3 rgb =
+        multiply(kToCieRgb, Vec3{(s[0] + p[0]) / 2.0, (s[1] + p[1]) / 2.0, (s[2] + p[2]) / 2.0});
     for (double& value : rgb) value = std::clamp(value, 0.0, 1.0);
     return rgb;
 }

@@ -10,16 +10,7 @@
 namespace nacre::pipeline {
 namespace {
 
-using spectral::Mat3, spectral::Vec3;
-
-Mat3 product(const Mat3& a, const Mat3& b) noexcept
-{
-    Mat3 result{};
-    for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j)
-            for (std::size_t k = 0; k < 3; ++k) result[i][j] += a[i][k] * b[k][j];
-    return result;
-}
+using spectral::Mat3, spectral::multiply, spectral::transposed, spectral::Vec3;
 
 double mean_between(const spectral::Sampled& values, double first_nm, double last_nm)
 {
@@ -41,26 +32,18 @@ std::vector<Vec3> tint_basis(const spectral::WavelengthSampling& sampling,
                              const spectral::Sampled& reflectance)
 {
     const Mat3 to_rec709 =
-        product(spectral::colour_space("lin_rec709_scene").from_xyz_d65, weights.to_xyz_d65);
+        multiply(spectral::colour_space("lin_rec709_scene").from_xyz_d65, weights.to_xyz_d65);
     lut::WavelengthCells cells;
     for (std::size_t i = 0; i < sampling.weight.size(); ++i) {
         const double from = sampling.edges_nm[i], to = sampling.edges_nm[i + 1];
-        Vec3 weight{};
-        for (std::size_t c = 0; c < 3; ++c)
-            for (std::size_t k = 0; k < 3; ++k)
-                weight[c] += to_rec709[c][k] * sampling.weight[i][k];
         cells.nm.push_back(0.5 * (from + to));
-        cells.weight.push_back(weight);
+        cells.weight.push_back(multiply(to_rec709, sampling.weight[i]));
         cells.reflectance.push_back(mean_between(reflectance, from, to));
     }
     std::vector<Vec3> basis = lut::tint_basis(cells);
     // tint_709 · b = (M tint) · b = tint · (Mᵀ b)
-    for (Vec3& triple : basis) {
-        Vec3 dual{};
-        for (std::size_t c = 0; c < 3; ++c)
-            for (std::size_t k = 0; k < 3; ++k) dual[c] += to_rec709[k][c] * triple[k];
-        triple = dual;
-    }
+    const Mat3 dual = transposed(to_rec709);
+    for (Vec3& triple : basis) triple = multiply(dual, triple);
     return basis;
 }
 

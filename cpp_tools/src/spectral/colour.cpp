@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "matrix.h"
-
 namespace nacre::spectral {
 
 namespace {

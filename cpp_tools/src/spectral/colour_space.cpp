@@ -4,7 +4,6 @@
 
 #include <algorithm>
 
-#include "matrix.h"
 #include "nacre/core/diagnostics.h"
 
 namespace nacre::spectral {

@@ -1,8 +1,22 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "matrix.h"
+#include "nacre/spectral/matrix.h"
+
+#include <cstddef>
 
 namespace nacre::spectral {
+
+namespace {
+
+/// Of the matrix without a row and a column, with the sign of the cofactor, as indices wrap round.
+double cofactor(const Mat3& m, std::size_t row, std::size_t column) noexcept
+{
+    const std::size_t r1 = (row + 1) % 3, r2 = (row + 2) % 3;
+    const std::size_t c1 = (column + 1) % 3, c2 = (column + 2) % 3;
+    return m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
+}
+
+}  // namespace
 
 Vec3 multiply(const Mat3& m, const Vec3& v) noexcept
 {
@@ -22,20 +36,26 @@ Mat3 multiply(const Mat3& a, const Mat3& b) noexcept
     return product;
 }
 
+Mat3 transposed(const Mat3& m) noexcept
+{
+    Mat3 result{};
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; ++column) result[row][column] = m[column][row];
+    return result;
+}
+
+double determinant(const Mat3& m) noexcept
+{
+    return m[0][0] * cofactor(m, 0, 0) + m[0][1] * cofactor(m, 0, 1) + m[0][2] * cofactor(m, 0, 2);
+}
+
 Mat3 inverse(const Mat3& m) noexcept
 {
-    // Rows of the adjugate are cross products of the columns.
-    const auto minor = [&m](std::size_t row, std::size_t column) {
-        const std::size_t r1 = (row + 1) % 3, r2 = (row + 2) % 3;
-        const std::size_t c1 = (column + 1) % 3, c2 = (column + 2) % 3;
-        return m[r1][c1] * m[r2][c2] - m[r1][c2] * m[r2][c1];
-    };
-    const double determinant =
-        m[0][0] * minor(0, 0) + m[0][1] * minor(0, 1) + m[0][2] * minor(0, 2);
+    const double divisor = determinant(m);
     Mat3 result{};
     for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t column = 0; column < 3; ++column)
-            result[row][column] = minor(column, row) / determinant;
+            result[row][column] = cofactor(m, column, row) / divisor;
     return result;
 }
 

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "csv_table.h"
-#include "matrix.h"
 #include "nacre/core/diagnostics.h"
 
 namespace nacre::spectral {

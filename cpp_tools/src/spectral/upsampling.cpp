@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "matrix.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/rgb_spectrum.h"
 

@@ -113,11 +113,8 @@ inline double delta_e(const FilmTableRequest& asked, const spectral::Vec3& a,
                       const spectral::Vec3& b)
 {
     const auto lab = [&](const spectral::Vec3& colour) {
-        spectral::Vec3 xyz{};
-        for (std::size_t i = 0; i < 3; ++i)
-            for (std::size_t j = 0; j < 3; ++j)
-                xyz[i] += asked.weights.to_xyz_d65[i][j] * colour[j];
-        return spectral::xyz_to_lab(xyz, spectral::d65_white());
+        return spectral::xyz_to_lab(spectral::multiply(asked.weights.to_xyz_d65, colour),
+                                    spectral::d65_white());
     };
     return spectral::delta_e_2000(lab(a), lab(b));
 }

@@ -96,14 +96,6 @@ TEST(XyzToLab, MatchesColourScience)
     expect_near(xyz_to_lab({0.0, 0.0, 0.0}, d65_white()), {0.0, 0.0, 0.0}, 1e-12, "black");
 }
 
-Vec3 transformed(const Mat3& matrix, const Vec3& v)
-{
-    Vec3 product{};
-    for (std::size_t row = 0; row < 3; ++row)
-        product[row] = matrix[row][0] * v[0] + matrix[row][1] * v[1] + matrix[row][2] * v[2];
-    return product;
-}
-
 // colour-science 0.4.6, matrix_chromatic_adaptation_VonKries from A to D65.
 TEST(Adaptation, MatchesColourScience)
 {
@@ -126,8 +118,8 @@ TEST(Adaptation, TakesOneWhiteToTheOther)
 {
     const Vec3 from = {1.1, 1.0, 0.36}, to = {0.96, 1.0, 0.82};
     for (const Adaptation how : {Adaptation::bradford, Adaptation::cat16})
-        expect_near(transformed(adaptation(how, from, to), from), to, 1e-14, "white");
-    expect_near(transformed(adaptation(Adaptation::none, from, to), from), from, 0.0, "itself");
+        expect_near(multiply(adaptation(how, from, to), from), to, 1e-14, "white");
+    expect_near(multiply(adaptation(Adaptation::none, from, to), from), from, 0.0, "itself");
 }
 
 // colour-science 0.4.6, XYZ_to_RGB with matrices derived from the primaries and Bradford.
@@ -144,7 +136,7 @@ TEST(ColourSpace, MatchesColourScience)
                {0.29816000368086076, 0.06027883678247416, 0.046821894763376455}},
           Case{"lin_ap1_scene", {0.29211389897660656, 0.060766565038069556, 0.04835774983898303}},
           Case{"xyz_d65", kSkin}})
-        expect_near(transformed(colour_space(space.name).from_xyz_d65, kSkin), space.rgb, 1e-12,
+        expect_near(multiply(colour_space(space.name).from_xyz_d65, kSkin), space.rgb, 1e-12,
                     space.name);
 }
 
@@ -152,10 +144,10 @@ TEST(ColourSpace, WhiteIsOneAndTheMatricesAreInverse)
 {
     for (const auto& name : colour_space_names()) {
         const ColourSpace& space = colour_space(name);
-        expect_near(transformed(space.to_xyz_d65, transformed(space.from_xyz_d65, kSkin)), kSkin,
-                    1e-15, name.c_str());
+        expect_near(multiply(space.to_xyz_d65, multiply(space.from_xyz_d65, kSkin)), kSkin, 1e-15,
+                    name.c_str());
         if (space.chromaticities)
-            expect_near(transformed(space.from_xyz_d65, d65_white()), {1.0, 1.0, 1.0}, 1e-14,
+            expect_near(multiply(space.from_xyz_d65, d65_white()), {1.0, 1.0, 1.0}, 1e-14,
                         name.c_str());
     }
 }
@@ -244,11 +236,11 @@ TEST(ReflectanceWeights, AgreeWithXyzAdaptationAndMatrix)
         const ColourSpace& space = colour_space("lin_ap1_scene");
         const Vec3 white = reflectance_to_xyz(constant(1.0), light, id);
         const Vec3 xyz_d65 =
-            transformed(adaptation(Adaptation::bradford, white, d65_white()), shape.xyz);
+            multiply(adaptation(Adaptation::bradford, white, d65_white()), shape.xyz);
         const auto weights = reflectance_weights(light, id, space);
-        expect_near(weights.apply(bell(shape)), transformed(space.from_xyz_d65, xyz_d65), 1e-13,
+        expect_near(weights.apply(bell(shape)), multiply(space.from_xyz_d65, xyz_d65), 1e-13,
                     shape.illuminant);
-        expect_near(transformed(weights.to_xyz_d65, weights.apply(bell(shape))), xyz_d65, 1e-13,
+        expect_near(multiply(weights.to_xyz_d65, weights.apply(bell(shape))), xyz_d65, 1e-13,
                     shape.illuminant);
     }
 }

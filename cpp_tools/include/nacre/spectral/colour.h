@@ -9,15 +9,13 @@
 #include <vector>
 
 #include "nacre/spectral/illuminant.h"
+#include "nacre/spectral/matrix.h"
 #include "nacre/spectral/observer.h"
 
 /// @file
 /// From spectra to numbers that a screen or a renderer takes.
 
 namespace nacre::spectral {
-
-using Vec3 = std::array<double, 3>;
-using Mat3 = std::array<Vec3, 3>;  ///< rows
 
 /// Emission: k = 1 / Σ ȳ, so an equal-energy spectrum of 1 has Y = 1.
 [[nodiscard]] Vec3 emission_to_xyz(const Sampled& radiance, ObserverId observer);
