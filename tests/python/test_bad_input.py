@@ -7,6 +7,7 @@ from __future__ import annotations
 import ctypes
 import math
 import os
+import shutil
 import subprocess
 import sys
 
@@ -268,8 +269,8 @@ def test_template_tolerance():
         nacre.compile_template("schema = 1", tolerance="fine")
 
 
-def test_a_missing_library_is_an_import_error(tmp_path):
-    environment = {**os.environ, "NACRE_LIBRARY": str(tmp_path / "none.so")}
+def failed_import(library) -> str:
+    environment = {**os.environ, "NACRE_LIBRARY": str(library)}
     environment["PYTHONPATH"] = str(next(p for p in sys.path if p.endswith("cpp_tools/python")))
     done = subprocess.run(
         [sys.executable, "-c", "import nacre"],
@@ -278,7 +279,50 @@ def test_a_missing_library_is_an_import_error(tmp_path):
         text=True,
         check=False,
     )
-    assert f"ImportError: nacre: cannot load {tmp_path / 'none.so'}" in done.stderr
+    return done.stderr.splitlines()[-1]
+
+
+def test_a_missing_library_is_an_import_error(tmp_path):
+    library = tmp_path / "none.so"
+    assert failed_import(library).startswith(
+        f"ImportError: nacre: cannot load {library}: {library}: "
+    )
+
+
+@pytest.mark.skipif(not shutil.which("cc"), reason="needs a C compiler")
+@pytest.mark.parametrize(
+    ("system", "first", "newest", "words"),
+    [
+        ("libc.so.6", "GLIBC_2.98", "GLIBC_2.102", "needs glibc 2.102 or newer, and this system has "),
+        ("libstdc++.so.6", "GLIBCXX_3.4.98", "GLIBCXX_3.4.99", "needs a libstdc++ with GLIBCXX_3.4.99"),
+    ],
+)  # fmt: skip
+def test_a_system_that_is_too_old_is_told(tmp_path, system, first, newest, words):
+    """A library that asks for symbols of a system to come: the loader names one of them."""
+
+    def build(source: str, name: str, *options: str) -> None:
+        (tmp_path / "source.c").write_text(source)
+        command = ["cc", "-shared", "-nostdlib", "-o", name, "source.c", *options]
+        subprocess.run(command, cwd=tmp_path, check=True)
+
+    (tmp_path / "versions").write_text(f"{first} {{ one; }};\n{newest} {{ two; }};\n")
+    build(
+        "int one(void) { return 1; }\nint two(void) { return 2; }\n",
+        system,
+        f"-Wl,-soname,{system}",
+        "-Wl,--version-script=versions",
+    )
+    build(
+        "int one(void), two(void);\nint nacre_api_version(void) { return one() + two(); }\n",
+        "libnacre.so",
+        "-L.",
+        f"-l:{system}",
+    )
+    said = failed_import(tmp_path / "libnacre.so")
+    assert said.startswith(f"ImportError: nacre: cannot load {tmp_path / 'libnacre.so'}: {words}")
+    assert f"(required by {tmp_path / 'libnacre.so'})" in said
+    if system == "libc.so.6":
+        assert f"this system has {os.confstr('CS_GNU_LIBC_VERSION')}; " in said
 
 
 def test_structures_have_the_layout_of_the_header():

@@ -7,6 +7,7 @@ from __future__ import annotations
 import ctypes
 import operator
 import os
+import re
 from ctypes import POINTER, Structure, c_char_p, c_double, c_float, c_int, c_size_t, c_void_p
 from pathlib import Path
 from typing import Any
@@ -251,13 +252,46 @@ _SIGNATURES = {
 }
 
 
+def _system_glibc() -> str:
+    try:
+        return os.confstr("CS_GNU_LIBC_VERSION") or "no glibc"
+    except (AttributeError, ValueError, OSError):  # Windows; musl
+        return "no glibc"
+
+
+def _too_old(loader: str) -> str:
+    """What the loader says of versions of symbols, in those of systems; else nothing.
+
+    It stops at the first that is missing, so the newest is looked up in the file itself.
+    """
+    found = re.search(
+        r"version .(GLIBC|GLIBCXX|CXXABI)_([\d.]+). not found \(required by (.+)\)", loader
+    )
+    if not found:
+        return ""
+    family, missing, file = found.groups()
+    try:
+        names = re.findall(
+            rb"\0%b_(\d+(?:\.\d+)+)(?=\0)" % family.encode(), Path(file).read_bytes()
+        )
+    except OSError:
+        names = []
+    needed = max(
+        (missing, *(name.decode() for name in names)),
+        key=lambda version: [int(part) for part in version.split(".")],
+    )
+    if family == "GLIBC":
+        return f"needs glibc {needed} or newer, and this system has {_system_glibc()}; "
+    return f"needs a libstdc++ with {family}_{needed}, which is newer than this system's; "
+
+
 def _load() -> ctypes.CDLL:
     """`NACRE_LIBRARY` names the file; otherwise it lies beside this module, as in the wheel."""
     path = os.environ.get("NACRE_LIBRARY") or str(Path(__file__).with_name("libnacre.so"))
     try:
         loaded = ctypes.CDLL(path)
     except OSError as error:
-        raise ImportError(f"nacre: cannot load {path}: {error}") from error
+        raise ImportError(f"nacre: cannot load {path}: {_too_old(str(error))}{error}") from error
     for name, (result, arguments) in _SIGNATURES.items():
         function = getattr(loaded, name)
         function.restype, function.argtypes = result, arguments
