@@ -21,12 +21,14 @@ import bpy
 _SHADER = re.compile(
     r"Failed parse of .*OSO|Unable to (?:parse|open).* shader|Could not find shader|OSL query error"
 )
+_REPORT = "NACRE_REPORT_FD"
 _SAMPLES = re.compile(r"Sample (\d+)/(\d+)")
 
 
 @contextlib.contextmanager
 def own_stdout(verbose: bool) -> Iterator[TextIO]:
-    """Yields the real standard output while Blender's own chatter goes elsewhere.
+    """Yields the real standard output, or that which the tool has put aside, while Blender's own chatter
+    goes elsewhere.
 
     Blender writes from C++, so the file descriptor itself is turned aside: to standard error when
     verbose, else to nowhere.
@@ -37,7 +39,8 @@ def own_stdout(verbose: bool) -> Iterator[TextIO]:
     os.dup2(aside, 1)
     os.close(aside)
     try:
-        with os.fdopen(os.dup(kept), "w", encoding="utf-8") as stream:
+        report = int(os.environ.get(_REPORT, kept))
+        with os.fdopen(os.dup(report), "w", encoding="utf-8") as stream:
             yield stream
     finally:
         _flush()
@@ -64,11 +67,12 @@ def mute_removed_engine_noise() -> None:
 
 
 class Complaints:
-    """What is written to standard error by C++ meanwhile; it is passed on when that has ended. Python's
-    own goes on to be written at once."""
+    """What is written to standard error by C++ meanwhile; it is passed on when that has ended, if quiet
+    only where it tells why there is no picture. Python's own goes on to be written at once."""
 
-    def __init__(self) -> None:
+    def __init__(self, quiet: bool) -> None:
         self.text = ""
+        self._quiet = quiet
 
     def __enter__(self) -> Complaints:
         _flush()
@@ -86,7 +90,7 @@ class Complaints:
         lines = self.text.splitlines()
         return list(dict.fromkeys(" ".join(line.split()) for line in lines if _SHADER.search(line)))
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, error: object, *_: object) -> None:
         _flush()
         sys.stderr.close()
         sys.stderr = self._python
@@ -96,8 +100,9 @@ class Complaints:
         written = self._file.read()
         self._file.close()
         self.text = written.decode("utf-8", "replace")
-        with contextlib.suppress(OSError):
-            os.write(2, written)
+        if error is not None or self.of_shaders or not self._quiet:
+            with contextlib.suppress(OSError):
+                os.write(2, written)
 
 
 class Progress:

@@ -18,6 +18,15 @@ from pathlib import Path
 PACKAGE = "nacre_extension"
 
 
+def bring_computation() -> None:
+    """Lets the Python package `nacre` be found that the tool has beside this folder, before any other
+    one of another version. An installed extension has it as a wheel."""
+    # Not resolved: in a build tree this folder is a link into the checkout, its neighbours are not.
+    folder = Path(__file__).absolute().parent.parent / "python"
+    if folder.is_dir() and str(folder) not in sys.path:
+        sys.path.insert(0, str(folder))
+
+
 def load_package(name: str = PACKAGE):
     """Imports the extension's folder under a name of its own, without touching sys.path."""
     folder = Path(__file__).resolve().parent
@@ -55,6 +64,7 @@ def _import_bpy():
 
 def main() -> None:
     bpy = _import_bpy()
+    bring_computation()
     load_package()
     render = importlib.import_module(f"{PACKAGE}.render")
     status = render.main(_arguments())

@@ -81,12 +81,11 @@ def main(argv: Sequence[str]) -> int:
 
 
 def _unknown(report: dict) -> list[str]:
-    """Of pixels that were asked for: films whose spectrum cannot be computed, and why. Of other
-    materials, and of films whose layers are not known, there is none."""
+    """Of pixels that were asked for: films whose spectrum cannot be computed, and why."""
     return [
         f"--pixel {probe.pixel[0]} {probe.pixel[1]}: {probe.problem}"
         for probe in report.get("probes", ())
-        if probe.film is not None and probe.problem
+        if probe.problem
     ]
 
 
@@ -101,14 +100,14 @@ def _many(argv: list[str], options: argparse.Namespace) -> int:
             else batch.read_rows(options.batch, folder, given)
         )
         report = batch.render(rows, folder, _render_row, options.quiet)
-        if options.gallery and library_problem():
-            print(f"nacre render: no swatches: {library_problem()}", file=sys.stderr)
         if options.gallery:
             report["page"] = str(gallery.write_page(folder, rows))
         if options.json:
             print(json.dumps(report, sort_keys=True), file=stdout)
         elif not options.quiet:
             print(batch.summary(report), file=stdout)
+    if options.gallery and library_problem():
+        return _fail(f"no swatches: {library_problem()}")
     return 1 if report["failed"] else 0
 
 
@@ -438,7 +437,10 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
             if options.resume and all(path.is_file() for path in paths):
                 continue
             label = paths[0].name
-            with console.Complaints() as complaints, console.Progress(label, options.quiet):
+            with (
+                console.Complaints(options.quiet) as complaints,
+                console.Progress(label, options.quiet),
+            ):
                 bpy.ops.render.render(scene=scene.name)
             if complaints.of_shaders:
                 raise output.OutputError(_unloaded(complaints.of_shaders))

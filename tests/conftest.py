@@ -5,13 +5,14 @@
 from __future__ import annotations
 
 import os
+import sys
 
 import pytest
 
 from blender.harness import VERSIONS, Blender, Blenders
-from support.paths import RELEASE
+from support.paths import PACKAGE
 
-os.environ.setdefault("NACRE_LIBRARY", str(RELEASE / "lib" / "libnacre.so"))
+sys.path.insert(0, str(PACKAGE))
 
 
 @pytest.fixture(scope="session")

@@ -14,7 +14,7 @@ import OpenImageIO as oiio
 import pytest
 
 from support.images import read_all
-from support.paths import ADDON, FIXTURES
+from support.paths import ADDON, DRIVER, FIXTURES
 
 QUICK = ("--stage", "furnace", "--size", "16x16", "--samples", "2")
 
@@ -316,13 +316,23 @@ def test_shaders_are_compiled_in_any_folder(blender, tmp_path, name):
 
 
 def test_without_the_package_a_pixel_is_refused(blender45, tmp_path):
-    alone = blender45.with_environment(PYTHONPATH=None)
+    """The checkout's folder, unlike that of the tool, has no package beside it."""
     output = tmp_path / "out.exr"
-    done = alone.render("--material", "test_film", *QUICK, "--pixel", "4", "4", "-o", output)
+    arguments = ("render", "--material", "test_film", *QUICK, "--pixel", "4", "4", "-o", output)
+    done = blender45.process(ADDON / "driver.py", *arguments)
     assert done.returncode == 1
     assert done.stdout == ""
     assert "--pixel: Needs the Python package nacre" in done.stderr
     assert not output.exists()
+
+
+def test_without_the_package_a_gallery_is_not_whole(blender45, tmp_path):
+    arguments = ("render", "--gallery", "--form", "nodes", "--size", "8x8", "--samples", "1")
+    few = blender45.with_materials("tempered_steel")
+    done = few.process(ADDON / "driver.py", *arguments, "-o", tmp_path / "gallery")
+    assert done.returncode == 1
+    assert "nacre render: no swatches: Needs the Python package nacre" in done.stderr
+    assert (tmp_path / "gallery" / "tempered_steel.png").is_file()
 
 
 def test_a_film_that_cannot_be_computed_is_no_success(blender45):
@@ -339,7 +349,7 @@ def test_file_that_cannot_be_finished_is_not_left(blender45, tmp_path):
     output = tmp_path / "out.exr"
     output.write_bytes(b"kept")
     command = blender45.command(
-        ADDON / "driver.py", "render", "--material", "test_film", "--stage", "furnace",
+        DRIVER, "render", "--material", "test_film", "--stage", "furnace",
         "--size", "128x128", "--samples", "1", "-o", output,
     )  # fmt: skip
     limited = ["bash", "-c", 'trap "" XFSZ; ulimit -f 16; exec "$@"', "bash", *command]
@@ -360,7 +370,7 @@ def test_file_that_cannot_be_finished_is_not_left(blender45, tmp_path):
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_interrupting_leaves_no_half_file(blender45, tmp_path, number):
     command = blender45.command(
-        ADDON / "driver.py", "render", "--material", "test_film", "--stage", "furnace",
+        DRIVER, "render", "--material", "test_film", "--stage", "furnace",
         "--size", "1024x1024", "--samples", "100000", "-v", "-o", tmp_path / "out.exr",
     )  # fmt: skip
     process = subprocess.Popen(

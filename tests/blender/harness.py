@@ -25,7 +25,7 @@ from typing import Self
 import numpy as np
 
 from support.images import read_image
-from support.paths import ADDON, PACKAGE, materials_folder
+from support.paths import DRIVER, materials_folder
 
 HERE = Path(__file__).resolve().parent
 VERSIONS = {"4.5": "NACRE_BPY45", "5.2": "NACRE_BPY52"}
@@ -173,10 +173,12 @@ class Blender:
 
     @property
     def surroundings(self) -> dict[str, str]:
-        """The variables of a process: the package's folder is all of a Python path that it gets."""
+        """The variables of a process, without those that show it where the Python package is: a user
+        has none of them."""
         given = {
             "NACRE_MATERIALS": str(materials_folder()),
-            "PYTHONPATH": str(PACKAGE),  # an installed extension brings the package in a wheel
+            "NACRE_LIBRARY": None,
+            "PYTHONPATH": None,
             "PYTHONWARNINGS": "ignore",
         }
         found = {**os.environ, **given, **self.environment}
@@ -232,7 +234,7 @@ class Blender:
         )  # fmt: skip
 
     def render_process(self, *arguments: object, **options) -> subprocess.CompletedProcess:
-        return self.process(ADDON / "driver.py", "render", *arguments, **options)
+        return self.process(DRIVER, "render", *arguments, **options)
 
     @cached_property
     def package(self) -> Path:

@@ -27,7 +27,8 @@ os.dup2(2, 1)
 
 import bpy  # noqa: E402
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 
 from jobs import extension  # noqa: E402
 
@@ -63,7 +64,6 @@ def surroundings(environment: dict[str, str], folder: str) -> Iterator[None]:
     kept = dict(os.environ), Path.cwd(), sys.argv[:], sys.path[:], sys.unraisablehook
     os.environ.clear()
     os.environ.update(environment)
-    sys.path[1:1] = filter(None, environment.get("PYTHONPATH", "").split(os.pathsep))
     os.chdir(folder)
     try:
         yield

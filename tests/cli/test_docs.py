@@ -10,16 +10,13 @@ the block before it prints, with numbers cut as the page likes.
 from __future__ import annotations
 
 import json
-import os
 import re
-import subprocess
-import sys
 from collections import Counter
-from pathlib import Path
 
 import pytest
 
-from support.paths import PACKAGE, ROOT
+from support.paths import ROOT
+from support.typed import run
 
 DOCUMENTS = (
     "README.md",
@@ -41,28 +38,6 @@ NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 def marked_blocks(document: str) -> list[re.Match]:
     return list(BLOCK.finditer((ROOT / document).read_text(encoding="utf-8")))
-
-
-def run(language: str, text: str, folder: Path, program: Path) -> str:
-    path = os.pathsep.join([str(program.parent), os.environ["PATH"]])
-    lib = str(program.parent.parent / "lib")
-    compiler = {
-        "C_INCLUDE_PATH": str(ROOT / "cpp_tools" / "include"),
-        "LIBRARY_PATH": lib,
-        "LD_LIBRARY_PATH": lib,
-    }
-    command = {"sh": ["bash", "-euo", "pipefail", "-c"], "python": [sys.executable, "-c"]}[language]
-    result = subprocess.run(
-        [*command, text],
-        cwd=folder,
-        env={**os.environ, **compiler, "PATH": path, "PYTHONPATH": str(PACKAGE)},
-        capture_output=True,
-        text=True,
-        timeout=300,
-        check=False,
-    )
-    assert result.returncode == 0, f"{text}\n{result.stdout}{result.stderr}"
-    return result.stdout
 
 
 def without_numbers(text: str) -> str:

@@ -6,9 +6,12 @@ from __future__ import annotations
 
 import json
 import os
+import subprocess
+from pathlib import Path
 
 import pytest
 
+from blender.harness import VERSIONS
 from support.tool import Tool
 
 
@@ -24,7 +27,9 @@ def test_layout(installed, templates):
     assert {path.name for path in (share / "materials").iterdir()} == {
         path.stem for path in templates.glob("*.toml")
     }
-    assert not [path for path in share.rglob("*") if path.is_symlink()]
+    prefix = installed.program.parents[1]
+    for path in share.rglob("*"):
+        assert path.resolve(strict=True).is_relative_to(prefix.resolve()), path
     assert not list(share.rglob("__pycache__"))
 
 
@@ -49,7 +54,7 @@ def test_the_program_names_no_folder_of_the_checkout(installed):
 
 def test_render_finds_its_driver_under_the_prefix(installed, tmp_path):
     python = tmp_path / "python"
-    python.write_text('#!/bin/sh\n[ "$1" = -c ] || echo "$1"\n')
+    python.write_text('#!/bin/sh\n[ "$1" = -c ] || echo "$1" >&"$NACRE_REPORT_FD"\n')
     python.chmod(0o755)
     result = installed("render", "--material", "water", env={"NACRE_PYTHON": str(python)})
     driver = installed.program.parents[1] / "share" / "nacre" / "addon" / "driver.py"
@@ -57,3 +62,59 @@ def test_render_finds_its_driver_under_the_prefix(installed, tmp_path):
         assert f"{driver}: is missing" in result.stderr
     else:
         assert result.stdout.strip() == str(driver)
+
+
+BLENDERS = [*VERSIONS.values(), "NACRE_BLENDER"]
+
+
+@pytest.fixture(params=BLENDERS)
+def clean_render(request, installed, tmp_path):
+    """`nacre render` of an installation for someone who has a path, a home and one Blender: a Python with
+    bpy on the path, or a program that is named."""
+    program = os.environ.get(request.param)
+    if not program:
+        pytest.skip(f"{request.param} names no Blender")
+    environment = {"PATH": os.defpath, "HOME": str(tmp_path)}
+    if request.param == "NACRE_BLENDER":
+        if "NACRE_BLENDER_TMP" in os.environ:
+            pytest.skip("this Blender does not see the installation")
+        environment["NACRE_BLENDER"] = program
+    else:
+        (tmp_path / "bin").mkdir()
+        python = tmp_path / "bin" / "python3"
+        python.write_text(f'#!/bin/sh\nexec "{program}" "$@"\n')
+        python.chmod(0o755)
+        environment["PATH"] = f"{python.parent}:{os.defpath}"
+    quick = ("--stage", "furnace", "--size", "16x16", "--samples", "1", "--set", "range_nm=100:200")
+
+    def run(*arguments) -> subprocess.CompletedProcess:
+        command = [installed.program, "render", "--material", "oil_on_water", *quick, *arguments]
+        return subprocess.run(
+            list(map(str, command)), env=environment, cwd=tmp_path, capture_output=True, text=True,
+            timeout=600, check=False,
+        )  # fmt: skip
+
+    return run
+
+
+def test_render_computes_with_what_is_installed(clean_render, installed):
+    done = clean_render(
+        "--set", "substrate=Au/Johnson", "--set", "thickness_nm=150", "--pixel", "8", "8", "--json"
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    (found,) = json.loads(done.stdout)["probes"]
+    film = {"n": ["air", 1.47, "Au/Johnson"], "d_nm": [150], "angle_deg": found["angle_deg"]}
+    exact = installed.evaluate("colour", film)["reflectance"]
+    # The oil disperses (Abbe number 50), the film here does not.
+    assert found["R"]["XYZ"] == pytest.approx(exact["XYZ"], abs=5e-3)
+
+
+def test_render_is_quiet_when_asked(clean_render, tmp_path):
+    picture = ("--technique", "airy", "--vary", "drop", "-o", "picture.exr")
+    done = clean_render(*picture, "--quiet")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert Path(tmp_path, "picture.exr").is_file()
+    done = clean_render(*picture, "--quiet", "--set", "substrate=Unobtainium")
+    assert done.returncode == 1
+    assert done.stdout == ""
+    assert "Unobtainium" in done.stderr

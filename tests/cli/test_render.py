@@ -28,19 +28,26 @@ import json, os, sys
 if sys.argv[1:2] == ["-c"]:  # the probe for bpy
     sys.exit({probe})
 compiled = sys.argv[sys.argv.index("--compiled") + 1] if "--compiled" in sys.argv else None
+print("Blender 9.9")
+print("libfilm: odd film", file=sys.stderr)
+report = os.fdopen(int(os.environ["NACRE_REPORT_FD"]), "w")
 print(json.dumps({{
     "program": sys.argv[0],
     "arguments": sys.argv[1:],
     "materials": os.environ.get("NACRE_MATERIALS"),
     "compiled": sorted(os.listdir(compiled)) if compiled else None,
-}}))
-sys.exit({code})
+}}), file=report, flush=True)
+sys.stdout.flush()
+{ending}
 """
 
 
-def recorder(path: Path, code=0, probe=0) -> Path:
+def recorder(path: Path, code=0, probe=0, ending="") -> Path:
     path.parent.mkdir(parents=True, exist_ok=True)
-    path.write_text(RECORDER.format(python=shlex.quote(sys.executable), code=code, probe=probe))
+    text = RECORDER.format(
+        python=shlex.quote(sys.executable), probe=probe, ending=ending or f"sys.exit({code})"
+    )
+    path.write_text(text)
     path.chmod(0o755)
     return path
 
@@ -60,12 +67,12 @@ def prefix(nacre, tmp_path) -> Path:
 def render(prefix, tmp_path):
     """Runs `nacre render` of that installation in an environment that holds only what is given."""
 
-    def run(*arguments, **environment):
+    def run(*arguments, before=(), **environment):
         base = {
             key: os.environ[key] for key in ("LD_LIBRARY_PATH", "ASAN_OPTIONS") if key in os.environ
         }
         return subprocess.run(
-            [prefix / "bin" / "nacre", "render", *map(str, arguments)],
+            [prefix / "bin" / "nacre", *before, "render", *map(str, arguments)],
             capture_output=True,
             text=True,
             env={"PATH": str(tmp_path / "path"), "TMPDIR": str(tmp_path), **base, **environment},
@@ -94,7 +101,66 @@ def test_named_python(render, prefix, tmp_path):
     call = json.loads(result.stdout)
     assert call["arguments"] == [str(prefix / "share/nacre/addon/driver.py"), "render", *ARGUMENTS]
     assert call["materials"] == str(prefix / "share/nacre/materials")
-    assert result.stderr == f"nacre render: uses bpy of {python} (NACRE_PYTHON)\n"
+    assert (
+        result.stderr == f"nacre render: uses bpy of {python} (NACRE_PYTHON)\nlibfilm: odd film\n"
+    )
+
+
+QUIET = {"after": ((), ("--quiet",)), "before": (("--quiet",), ())}
+
+
+@pytest.mark.parametrize("where", QUIET)
+def test_quiet_says_nothing_but_what_went_wrong(render, tmp_path, where):
+    """Not what Blender and its libraries say either; unless there is no picture: they may know why."""
+    (before, after), fine = QUIET[where], recorder(tmp_path / "fine")
+    result = render(*ARGUMENTS, *after, before=before, NACRE_PYTHON=str(fine))
+    assert json.loads(result.stdout)["arguments"][-1] == "--quiet"
+    assert result.stderr == ""
+    broken = recorder(tmp_path / "broken", code=1)
+    result = render(*ARGUMENTS, *after, before=before, NACRE_PYTHON=str(broken))
+    assert result.returncode == 1
+    assert result.stderr == "libfilm: odd film\n"
+    dead = recorder(tmp_path / "dead", ending="os.kill(os.getpid(), 11)")
+    result = render(*ARGUMENTS, *after, before=before, NACRE_PYTHON=str(dead))
+    assert result.returncode == 128 + signal.SIGSEGV
+    assert result.stderr == (
+        "libfilm: odd film\n"
+        "nacre render: Blender was ended by a signal: Segmentation fault\n"
+    )  # fmt: skip
+
+
+def test_verbose_has_the_chatter_of_blender_on_standard_error(render, tmp_path):
+    python = recorder(tmp_path / "python")
+    result = render(*ARGUMENTS, "-v", NACRE_PYTHON=str(python))
+    assert json.loads(result.stdout)["arguments"][-1] == "-v"
+    assert {"Blender 9.9", "libfilm: odd film"} <= set(result.stderr.splitlines())
+
+
+def test_options_before_the_command_are_those_of_the_driver(render, tmp_path):
+    python = recorder(tmp_path / "python")
+    before = ("--json", "--threads", "3", "-v")
+    result = render(*ARGUMENTS, before=before, NACRE_PYTHON=str(python))
+    arguments = json.loads(result.stdout)["arguments"]
+    assert arguments[-4:] == ["--verbose", "--json", "--threads", "3"]
+
+
+def test_a_closed_standard_output_is_no_crash(prefix, tmp_path):
+    python = recorder(tmp_path / "python")
+    command = [
+        "bash",
+        "-c",
+        'exec "$@" >&-',
+        "bash",
+        prefix / "bin" / "nacre",
+        "render",
+        *ARGUMENTS,
+    ]
+    done = subprocess.run(
+        command, env={**os.environ, "NACRE_PYTHON": str(python)}, capture_output=True, text=True,
+        check=False,
+    )  # fmt: skip
+    assert done.returncode == 1
+    assert "Bad file descriptor" in done.stderr
 
 
 def test_named_blender(render, prefix, tmp_path):

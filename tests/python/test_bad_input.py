@@ -16,6 +16,7 @@ import pytest
 
 import nacre
 from nacre import _native
+from support.paths import PACKAGE
 
 GOOD = {"n": [1, 1.33, 1.5], "d_nm": [300], "angle_deg": 30, "wavelength_nm": 550}
 nan, inf = math.nan, math.inf
@@ -271,7 +272,7 @@ def test_template_tolerance():
 
 def failed_import(library) -> str:
     environment = {**os.environ, "NACRE_LIBRARY": str(library)}
-    environment["PYTHONPATH"] = str(next(p for p in sys.path if p.endswith("cpp_tools/python")))
+    environment["PYTHONPATH"] = str(PACKAGE)
     done = subprocess.run(
         [sys.executable, "-c", "import nacre"],
         env=environment,

@@ -6,7 +6,7 @@
 
 Every pixel of an orthographic sphere under a white world, D65, CIE 1931 2°. Both get the same
 structure with the same constant indices, which is all that Blender's film can take. The environment
-is that of the render tests (NACRE, NACRE_LIBRARY, NACRE_BPY45, NACRE_BPY52).
+is that of the render tests (NACRE, NACRE_BPY45, NACRE_BPY52).
 """
 
 from __future__ import annotations

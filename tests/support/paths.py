@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Where things are: the checkout's folders, and what was built of it.
 
-NACRE names the command-line tool, NACRE_MATERIALS the compiled materials; both default to the release
-build.
+NACRE names the command-line tool, which has its driver and the Python package beside it,
+NACRE_MATERIALS the compiled materials; both default to the release build.
 """
 
 from __future__ import annotations
@@ -15,7 +15,6 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 ADDON = ROOT / "addon"
-PACKAGE = ROOT / "cpp_tools" / "python"
 TEMPLATES = ROOT / "osl" / "templates"
 RELEASE = ROOT / "build" / "release"
 # Compiled materials that are small, and stay as they are.
@@ -26,6 +25,12 @@ STAGE_EXTENSION = ROOT / "cpp_tools" / "generators" / "stage_extension.py"
 
 def tool() -> Path:
     return Path(os.environ.get("NACRE", RELEASE / "bin" / "nacre"))
+
+
+SHARE = tool().absolute().parents[1] / "share" / "nacre"
+DRIVER = SHARE / "addon" / "driver.py"
+# Where the tool has the Python package, as a user finds it: with its library beside it.
+PACKAGE = SHARE / "python"
 
 
 def materials_folder() -> Path:

@@ -23,6 +23,9 @@ extern char** environ;
 namespace nacre::tool {
 namespace {
 
+/// Where a child that reports finds our standard output.
+constexpr int kReport = 3;
+
 /// Owns what posix_spawn is told about files and signals.
 class SpawnSetup {
 public:
@@ -43,6 +46,17 @@ public:
     {
         posix_spawn_file_actions_destroy(&actions);
         posix_spawnattr_destroy(&attributes);
+    }
+
+    /// Of a child that reports; the last of what its files are told.
+    void put_report_aside(bool chatter)
+    {
+        if (fcntl(STDOUT_FILENO, F_GETFD) >= 0)
+            posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, kReport);
+        if (chatter)
+            posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+        else
+            posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     }
 
     posix_spawn_file_actions_t actions;
@@ -124,12 +138,13 @@ bool read_some(int descriptor, std::string& text)
     return true;
 }
 
-int wait_for(pid_t child)
+ChildResult wait_for(pid_t child)
 {
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    return {signal ? 128 + signal : WEXITSTATUS(status), signal, {}};
 }
 
 bool is_executable_file(const std::filesystem::path& path)
@@ -146,7 +161,8 @@ ChildResult run_child(const std::vector<std::string>& command, const ChildOption
     SpawnSetup setup;
     if (options.capture) {
         pipe.emplace(command.front());
-        posix_spawn_file_actions_adddup2(&setup.actions, pipe->write_end(), STDOUT_FILENO);
+        if (!options.reports)
+            posix_spawn_file_actions_adddup2(&setup.actions, pipe->write_end(), STDOUT_FILENO);
         posix_spawn_file_actions_adddup2(&setup.actions, pipe->write_end(), STDERR_FILENO);
     }
     std::vector<std::string> arguments = command;
@@ -154,15 +170,21 @@ ChildResult run_child(const std::vector<std::string>& command, const ChildOption
     if (!options.folder.empty())
         arguments.insert(arguments.begin(),
                          {"/bin/sh", "-c", R"(cd -- "$0" && exec "$@")", options.folder.string()});
-    const pid_t child = spawn(arguments, options.environment, setup);
-    ChildResult result{0, {}};
+    std::map<std::string, std::string> environment = options.environment;
+    if (options.reports) {
+        setup.put_report_aside(options.chatter);
+        environment["NACRE_REPORT_FD"] = std::to_string(kReport);
+    }
+    const pid_t child = spawn(arguments, environment, setup);
+    std::string captured;
     forward_signals_to(child);
     if (pipe) {
         pipe->close_write_end();
-        while (read_some(pipe->read_end(), result.output)) {
+        while (read_some(pipe->read_end(), captured)) {
         }
     }
-    result.exit_code = wait_for(child);
+    ChildResult result = wait_for(child);
+    result.output = std::move(captured);
     forward_signals_to(0);
     return result;
 }

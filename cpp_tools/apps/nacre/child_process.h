@@ -18,10 +18,16 @@ struct ChildOptions {
     std::filesystem::path folder;                    ///< to run in; empty: the current one
     std::map<std::string, std::string> environment;  ///< set on top of our own
     bool capture = false;  ///< collect stdout and stderr instead of passing them through
+    /// What it writes to its standard output is chatter, which goes nowhere, or with `chatter` to
+    /// standard error. Ours it finds under the number in NACRE_REPORT_FD; `capture` collects
+    /// errors.
+    bool reports = false;
+    bool chatter = false;
 };
 
 struct ChildResult {
     int exit_code;       ///< 128 + the signal's number where a signal ended it
+    int signal;          ///< which one; 0: it ended by itself
     std::string output;  ///< with `capture`
 };
 

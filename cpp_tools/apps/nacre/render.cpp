@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstdlib>
+#include <cstring>
+#include <initializer_list>
 #include <memory>
 
 #include <fmt/format.h>
@@ -36,6 +38,7 @@ Options:
   --pixel X Y            thickness, angle, spectrum and colour of the film there; needs no -o
   --aov NAME             a pass in a file beside the picture: normal, uv, to_camera, to_light,
                          thickness or cos_theta; may be repeated
+  --quiet                nothing but errors, of Blender and its libraries too
   --samples N            samples a pixel
   --size WxH             pixels
   --seed S               of the noise; the same seed gives the same pixels
@@ -66,7 +69,9 @@ bool has_bpy(const fs::path& python)
 {
     constexpr const char* kProbe =
         "import importlib.util, sys; sys.exit(importlib.util.find_spec('bpy') is None)";
-    return run_child({python.string(), "-c", kProbe}, {{}, {}, true}).exit_code == 0;
+    return run_child({python.string(), "-c", kProbe},
+                     {.folder = {}, .environment = {}, .capture = true})
+               .exit_code == 0;
 }
 
 Renderer python_renderer(const fs::path& python, const std::string& origin)
@@ -135,6 +140,12 @@ private:
     fs::path path_;
 };
 
+bool is_given(const std::vector<std::string>& arguments,
+              std::initializer_list<std::string_view> options)
+{
+    return std::ranges::find_first_of(arguments, options) != arguments.end();
+}
+
 /// Takes `--template FILE` or `--template=FILE` out of the arguments.
 std::optional<std::string> take_template(std::vector<std::string>& arguments)
 {
@@ -151,13 +162,44 @@ std::optional<std::string> take_template(std::vector<std::string>& arguments)
     return std::nullopt;
 }
 
-int render(const Session& session, std::vector<std::string> arguments)
+/// Options of `nacre` that stand before the command are the driver's too.
+void pass_global_options(const Session& session, std::vector<std::string>& arguments)
 {
-    const auto asks_help = [](const std::string& text) { return text == "--help" || text == "-h"; };
-    if (arguments.empty() || std::any_of(arguments.begin(), arguments.end(), asks_help)) {
+    if (session.quiet) arguments.emplace_back("--quiet");
+    if (session.verbose) arguments.emplace_back("--verbose");
+    if (session.json) arguments.emplace_back("--json");
+    if (session.threads > 0)
+        arguments.insert(arguments.end(), {"--threads", std::to_string(session.threads)});
+}
+
+/// Standard output is for reports alone. When quiet, what Blender and its libraries say is kept
+/// until it is known whether it tells why there is no picture.
+int run_driver(const Session& session, const std::vector<std::string>& command)
+{
+    ChildOptions options{.folder = {},
+                         .environment = {},
+                         .capture = session.quiet,
+                         .reports = true,
+                         .chatter = session.verbose && !session.quiet};
+    if (environment_variable("NACRE_MATERIALS").empty())
+        options.environment["NACRE_MATERIALS"] = share_path("materials").string();
+    const ChildResult child = run_child(command, options);
+    if (child.exit_code != 0) fmt::print(stderr, "{}", child.output);
+    check_interrupted();
+    if (child.signal != 0)
+        session.error(fmt::format("Blender was ended by a signal: {}", strsignal(child.signal)));
+    return child.exit_code;
+}
+
+int render(Session session, std::vector<std::string> arguments)
+{
+    if (arguments.empty() || is_given(arguments, {"-h", "--help"})) {
         write_text_output("", kRenderHelp);
         return arguments.empty() ? kExitInputError : kExitOk;
     }
+    pass_global_options(session, arguments);
+    session.quiet = is_given(arguments, {"--quiet"});
+    session.verbose = is_given(arguments, {"-v", "--verbose"});
     const WritingGuard guard;
     const ScratchFolder scratch;
     if (const auto file = take_template(arguments)) {
@@ -167,12 +209,7 @@ int render(const Session& session, std::vector<std::string> arguments)
     Renderer renderer = find_renderer();
     session.note("uses " + renderer.description);
     renderer.command.insert(renderer.command.end(), arguments.begin(), arguments.end());
-    ChildOptions options;
-    if (environment_variable("NACRE_MATERIALS").empty())
-        options.environment["NACRE_MATERIALS"] = share_path("materials").string();
-    const int code = run_child(renderer.command, options).exit_code;
-    check_interrupted();
-    return code;
+    return run_driver(session, renderer.command);
 }
 
 }  // namespace

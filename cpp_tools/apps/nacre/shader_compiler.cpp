@@ -40,7 +40,8 @@ void ShaderCompiler::compile(const std::filesystem::path& folder, const std::str
     const std::string source = name + ".osl", result = name + ".oso";
     const bool is_oslc = command.back() == "-o";
     command.insert(command.end(), {is_oslc ? result : source, is_oslc ? source : result});
-    const ChildResult child = run_child(command, {folder, {}, true});
+    const ChildResult child =
+        run_child(command, {.folder = folder, .environment = {}, .capture = true});
     if (child.exit_code != 0 || !std::filesystem::is_regular_file(folder / result))
         throw InputError(
             {source, 0, "", fmt::format("{} refused it: {}", description_, child.output)});

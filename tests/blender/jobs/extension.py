@@ -1,19 +1,18 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""The extension of the checkout inside Blender, under the name that its driver gives it."""
+"""The extension of the checkout inside Blender, by the driver that the tool starts and under the name
+that it gives."""
 
 from __future__ import annotations
 
 import importlib
 import importlib.util
 import sys
-from pathlib import Path
 from types import ModuleType
 
 import bpy
 
-ROOT = Path(__file__).resolve().parents[3]
-DRIVER = ROOT / "addon" / "driver.py"
+from support.paths import DRIVER
 
 
 def _driver() -> ModuleType:
@@ -28,7 +27,9 @@ PACKAGE = _driver().PACKAGE
 
 def load() -> ModuleType:
     """The package, imported once until forget()."""
-    return sys.modules.get(PACKAGE) or _driver().load_package()
+    driver = _driver()
+    driver.bring_computation()
+    return sys.modules.get(PACKAGE) or driver.load_package()
 
 
 def module(name: str) -> ModuleType:
