@@ -14,7 +14,7 @@ from typing import NoReturn
 from .core.fields import FIELDS
 from .core.form import AUTO, NODES, OSL
 from .core.stack import MULTILAYER, TECHNIQUES
-from .core.thickness import SOURCES
+from .core.thickness import SOURCES, ThicknessError, Varied, read_varied
 from .scenes import stage_names
 
 DEFAULT_VIEW = "Khronos PBR Neutral"
@@ -27,13 +27,14 @@ examples:
   nacre render --material soap_film --technique airy --stage bubble -o airy.png
   nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
   nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
+  nacre render --material oil_on_water --stage plane --vary drop:base_nm=100,height_nm=600,radius=0.4 -o drop.png
   nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-48 -o thin_##.png
   nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
   nacre render --batch looks.csv --stage shaderball --samples 64 -o looks/
   nacre render --material soap_film --stage sphere --pixel 320 240 --json
   nacre render --material soap_film --stage sphere --aov thickness --aov cos_theta -o bubble.exr
   nacre render --gallery --size 256x256 --samples 64 -o gallery/
-  nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o frames/####.exr
+  nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o shot_####.exr
 """
 
 
@@ -103,12 +104,13 @@ def parser() -> argparse.ArgumentParser:
     )
     stage.add_argument(
         "--vary",
-        metavar="SOURCE",
+        metavar="SOURCE[:NAME=VALUE,…]",
         action="append",
         default=[],
-        choices=[item.id for item in SOURCES if item.stands_alone],
-        help="let the thickness vary: drop, drainage, swirl or spread; may be repeated: "
-        "swirl and spread go upon what was given before",
+        type=_varied,
+        help=f"let the thickness vary: {_sources()}; may be repeated: swirl and spread go upon what was "
+        "given before. Thicknesses are in nm, or with _scale in place of _nm, of a material with "
+        "thickness_scale, factors; centre is X:Y in texture coordinates, in which the radius is too",
     )
     stage.add_argument(
         "--thickness-map", metavar="FILE", type=Path, help="a picture of the thickness, over UV"
@@ -200,6 +202,22 @@ def _range(text: str) -> tuple[float, float]:
     return low, high
 
 
+def _sources() -> str:
+    """Those that stand alone, with the names of their values."""
+    return "; ".join(
+        f"{item.id} ({', '.join(made.option('nm') for made in item.inputs if made.is_given)})"
+        for item in SOURCES
+        if item.stands_alone
+    )
+
+
+def _varied(text: str) -> Varied:
+    try:
+        return read_varied(text)
+    except ThicknessError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+
+
 def _frames(text: str) -> range:
     match = re.fullmatch(r"(\d+)(?:-(\d+))?", text)
     first = int(match.group(1)) if match else 1
@@ -243,14 +261,13 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
         raise UsageError(
             "--stage, --set, --technique, --animate, --vary and --thickness-map do not go with --blend"
         )
-    moves = options.blend or options.animate or "swirl" in options.vary
+    moves = options.blend or options.animate or "swirl" in {item.source.id for item in options.vary}
     if options.frames and not moves:
         raise UsageError("--frames needs --blend, --animate or --vary swirl: nothing else moves")
     if options.animate and not options.frames:
         raise UsageError("--animate needs --frames")
     if options.range and not options.thickness_map:
         raise UsageError("--range needs --thickness-map")
-    makers = {item.id for item in SOURCES if not item.goes_upon_another}
-    if options.thickness_map and makers.intersection(options.vary):
+    if options.thickness_map and not all(item.source.goes_upon_another for item in options.vary):
         raise UsageError("--thickness-map goes with --vary swirl and spread alone")
     return options

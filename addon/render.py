@@ -26,6 +26,7 @@ from .core.manifest import CompiledMaterial, ManifestError, from_memory, load_fo
 from .core.oso import OsoError
 from .core.probe import Probe, ProbeError
 from .core.stack import StackError, edit, is_path, read_stack, write_template
+from .core.thickness import SOCKETS, ThicknessError, socket_values
 from .core.values import AssignmentError, parse_assignments
 from .nodes import follow, passes, thickness, user_scene
 from .nodes import scene as scene_setup
@@ -285,9 +286,20 @@ def _vary(
         raise UsageError(f"{compiled.id} has no thickness that could vary")
     if options.thickness_map:
         _map_thickness(material, options)
-    for source in options.vary:
-        node = thickness.add_source(material, source)
-        if source == "swirl" and options.frames:
+    fed = next(filter(None, map(compiled.socket, SOCKETS)))
+    for varied in options.vary:
+        try:
+            values = socket_values(varied, fed.name, thickness.thickness_range(socket))
+        except ThicknessError as error:
+            raise UsageError(
+                "\n".join(f"--vary: {line}" for line in str(error).splitlines())
+            ) from error
+        node = thickness.add_source(material, varied.source.id)
+        for name, value in values.items():
+            node.inputs[name].default_value = value
+        if varied.source.id == "swirl" and options.frames:
+            if "Time" in values:
+                raise UsageError("--vary: swirl: time_s does not go with --frames, which run it")
             thickness.animate(node)
 
 

@@ -1,9 +1,12 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Sources of a thickness that varies over a surface: what there is, and its sockets."""
+"""Sources of a thickness that varies over a surface: what there is, its sockets, and their values as
+text: `drop:base_nm=100,height_nm=300`."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 SOCKETS = ("thickness_nm", "thickness_scale")
@@ -15,7 +18,7 @@ class Input:
     """A socket of a source. Thicknesses are shares of the material's range until they are set up.
 
     `share` is where in the range from the least to the largest thickness the default lies; `value`
-    is the default of everything else.
+    is the default of everything else. What is `added` to a thickness may be 0 and the whole range.
     """
 
     name: str
@@ -24,10 +27,22 @@ class Input:
     value: float | tuple[float, float, float] = 0.0
     minimum: float = 0.0
     maximum: float = 1e6
+    unit: str = ""
+    added: bool = False
 
     @property
     def is_thickness(self) -> bool:
         return self.share is not None
+
+    @property
+    def is_given(self) -> bool:
+        """Whether a user has a value for it, and not a link."""
+        return self.name not in ("Vector", "Thickness", "Value")
+
+    def option(self, thickness_unit: str) -> str:
+        """Its name in text, such as `base_nm`."""
+        unit = thickness_unit if self.is_thickness else self.unit
+        return "_".join(filter(None, (*self.name.lower().split(), unit)))
 
 
 @dataclass(frozen=True)
@@ -79,7 +94,7 @@ SOURCES = (
         "A round drop: highest in the middle, a parabola to its rim",
         (
             Input("Base", "Thickness outside the drop", share=0.0),
-            Input("Height", "What the middle adds to the base", share=0.8),
+            Input("Height", "What the middle adds to the base", share=0.8, added=True),
             Input("Centre", "Middle of the drop", value=(0.5, 0.5, 0.0)),
             Input("Radius", "From the middle to the rim", value=0.5, minimum=1e-4),
             _VECTOR,
@@ -109,7 +124,11 @@ SOURCES = (
             Input("Scale", "Eddies per unit of length", value=2.0),
             Input("Flow", "How far the eddies carry", value=1.0),
             Input(
-                "Time", "In seconds; the same time gives the same picture", value=0.0, minimum=-1e6
+                "Time",
+                "In seconds; the same time gives the same picture",
+                value=0.0,
+                minimum=-1e6,
+                unit="s",
             ),
             _VECTOR,
         ),
@@ -122,7 +141,7 @@ SOURCES = (
         "do where the thickness varies within a pixel; add it upon another source",
         (
             Input("Thickness", "Mean thickness", share=0.4),
-            Input("Spread", "Standard deviation of the thickness", share=0.02),
+            Input("Spread", "Standard deviation of the thickness", share=0.02, added=True),
         ),
     ),
 )
@@ -130,3 +149,94 @@ SOURCES = (
 
 def source(source_id: str) -> Source:
     return next(item for item in SOURCES if item.id == source_id)
+
+
+class ThicknessError(Exception):
+    """A source or its values do not fit; one line for each fault."""
+
+
+@dataclass(frozen=True)
+class Varied:
+    """A source with values, as it is asked for: `SOURCE[:NAME=VALUE,…]`."""
+
+    source: Source
+    values: tuple[str, ...] = ()
+
+
+def read_varied(text: str) -> Varied:
+    source_id, colon, values = text.partition(":")
+    known = {item.id: item for item in SOURCES if item.stands_alone}
+    if source_id not in known:
+        raise ThicknessError(f"no source {source_id!r}; there are: {', '.join(known)}")
+    return Varied(known[source_id], tuple(values.split(",")) if colon else ())
+
+
+Value = float | tuple[float, ...]
+
+
+def socket_values(varied: Varied, socket: str, span: tuple[float, float]) -> dict[str, Value]:
+    """By input; thicknesses in the unit of the material's socket, and within the span of its tables."""
+    unit = socket.removeprefix("thickness_")
+    inputs = {item.option(unit): item for item in varied.source.inputs if item.is_given}
+    found: dict[str, Value] = {}
+    problems = []
+    for text in varied.values:
+        name, equals, value = text.partition("=")
+        if not equals or name not in inputs:
+            said = f"no value {name!r}" if equals else f"must be NAME=VALUE (got {text!r})"
+            problems.append(f"{said}; there are: {', '.join(inputs)}")
+            continue
+        item = inputs[name]
+        try:
+            found[item.name] = _value(item, value, span)
+        except ValueError as error:
+            problems.append(f"{name}: {error} (got {value})")
+    if not problems:
+        problems += _above(varied.source, found, unit, span)
+    if problems:
+        raise ThicknessError("\n".join(f"{varied.source.id}: {text}" for text in problems))
+    return found
+
+
+def default_thickness(item: Input, span: tuple[float, float]) -> float:
+    low, high = span
+    return (0.0 if item.added else low) + (item.share or 0.0) * (high - low)
+
+
+def _value(item: Input, text: str, span: tuple[float, float]) -> Value:
+    words = text.split(":")
+    count = len(item.value) if isinstance(item.value, tuple) else 1
+    try:
+        numbers = [float(word) for word in words]
+    except ValueError:
+        numbers = []
+    # A point may have two numbers: it lies on the surface.
+    if (
+        not numbers
+        or not count - 1 <= len(numbers) <= count
+        or not all(map(math.isfinite, numbers))
+    ):
+        raise ValueError("must be X:Y or X:Y:Z" if count > 1 else "must be a number")
+    if count > 1:
+        return (*numbers, *[0.0] * (count - len(numbers)))
+    low, high = item.minimum, item.maximum
+    if item.is_thickness:
+        low, high = (0.0, span[1] - span[0]) if item.added else span
+    if not low <= numbers[0] <= high:
+        raise ValueError(f"must be in [{low:g}, {high:g}]")
+    return numbers[0]
+
+
+def _above(
+    source: Source, given: dict[str, Value], unit: str, span: tuple[float, float]
+) -> Sequence[str]:
+    """What a drop piles up beyond the tables, which hold their edge there."""
+    if source.id != "drop" or not given:
+        return []
+    base, height = (
+        given.get(item.name, default_thickness(item, span)) for item in source.inputs[:2]
+    )
+    if base + height <= span[1]:
+        return []
+    names = " + ".join(item.option(unit) for item in source.inputs[:2])
+    return [f"{names}: must be ≤ {span[1]:g}, which the tables cover (got {base:g} + {height:g})"]

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import bpy
 
-from ..core.thickness import SOCKETS, Input, Source, source
+from ..core.thickness import SOCKETS, Input, Source, default_thickness, source
 from .formula import Formula
 from .image import hold_as_data
 from .material import group_node, input_socket
@@ -149,14 +149,11 @@ def animate(node: bpy.types.ShaderNodeGroup) -> None:
 def _set_defaults(
     node: bpy.types.ShaderNodeGroup, spec: Source, span: tuple[float, float], present: float
 ) -> None:
-    low, high = span
     for item in spec.inputs:
         if item.name == "Thickness":
             node.inputs[item.name].default_value = present
         elif item.is_thickness:
-            # Of what is added to a thickness, the share of the span alone.
-            start = 0.0 if item.name in ("Height", "Spread") else low
-            node.inputs[item.name].default_value = start + item.share * (high - low)
+            node.inputs[item.name].default_value = default_thickness(item, span)
 
 
 def _group(spec: Source) -> bpy.types.ShaderNodeTree:

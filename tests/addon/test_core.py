@@ -23,6 +23,7 @@ from nacre_extension.core.oso import (
 from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
 from nacre_extension.core.space import REC709, SpaceError, conversion, converted, parse
 from nacre_extension.core.space import text as space_text
+from nacre_extension.core.thickness import ThicknessError, read_varied, socket_values
 from nacre_extension.core.values import AssignmentError, parse_assignments
 from nacre_extension.core.whole_file import is_whole
 
@@ -344,6 +345,58 @@ def test_what_must_not_be_changed_is_said_first():
 def test_nodes_need_neither_osl_nor_wavelengths():
     state = SceneState("BLENDER_EEVEE", False, False, False, False, False)
     assert find_problems(AssignedMaterial("nodes", wavelength_per_path=False), state) == []
+
+
+SPAN = (0.0, 1200.0)
+
+
+def test_values_of_a_source_are_read():
+    drop = read_varied("drop:base_nm=100,height_nm=3e2,centre=0.25:0.75,radius=0.4")
+    assert socket_values(drop, "thickness_nm", SPAN) == {
+        "Base": 100.0, "Height": 300.0, "Centre": (0.25, 0.75, 0.0), "Radius": 0.4,
+    }  # fmt: skip
+    assert socket_values(read_varied("drop"), "thickness_nm", SPAN) == {}
+    scaled = read_varied("drainage:bottom_scale=1.5,time=4,black_film=0.1")
+    assert socket_values(scaled, "thickness_scale", (0.5, 2.0)) == {
+        "Bottom": 1.5, "Time": 4.0, "Black Film": 0.1,
+    }  # fmt: skip
+    assert socket_values(read_varied("swirl:time_s=-2"), "thickness_nm", SPAN) == {"Time": -2.0}
+
+
+@pytest.mark.parametrize(
+    ("text", "messages"),
+    [
+        ("rain", ["no source 'rain'; there are: drop, drainage, swirl, spread"]),
+        ("map:value=1", ["no source 'map'; there are: drop, drainage, swirl, spread"]),
+        (
+            "drop:",
+            ["drop: must be NAME=VALUE (got ''); there are: base_nm, height_nm, centre, radius"],
+        ),
+        ("drop:base=1", ["drop: no value 'base'; there are: base_nm, height_nm, centre, radius"]),
+        ("swirl:thickness_nm=1", ["swirl: no value 'thickness_nm'; there are: amount, scale"]),
+        (
+            "drop:base_nm=-1,height_nm=1201,radius=0,centre=1",
+            [
+                "drop: base_nm: must be in [0, 1200] (got -1)",
+                "drop: height_nm: must be in [0, 1200] (got 1201)",
+                "drop: radius: must be in [0.0001, 1e+06] (got 0)",
+                "drop: centre: must be X:Y or X:Y:Z (got 1)",
+            ],
+        ),
+        ("drop:radius=nan", ["drop: radius: must be a number (got nan)"]),
+        ("drop:radius=1:2", ["drop: radius: must be a number (got 1:2)"]),
+        (
+            "drop:base_nm=1000,height_nm=300",
+            ["base_nm + height_nm: must be ≤ 1200, which the tables cover (got 1000 + 300)"],
+        ),
+        ("drop:base_nm=1000", ["base_nm + height_nm: must be ≤ 1200"]),
+    ],
+)
+def test_wrong_values_of_a_source_are_refused(text, messages):
+    with pytest.raises(ThicknessError) as refused:
+        socket_values(read_varied(text), "thickness_nm", SPAN)
+    for message in messages:
+        assert message in str(refused.value)
 
 
 def test_cut_off_picture_is_not_whole(tmp_path):

@@ -234,6 +234,14 @@ def test_a_value_runs_over_the_frames(blender45, tmp_path):
         (["--material", "test_film", "--range", "2:1"], "must be LOW:HIGH"),
         (["--material", "test_film", "--vary", "rain"], "--vary"),
         (["--material", "test_grating", "--vary", "drop"], "has no thickness"),
+        (
+            ["--material", "test_film", "--vary", "drop:depth=1"],
+            "nacre render: --vary: drop: no value 'depth'; there are: base_nm, height_nm",
+        ),
+        (
+            ["--material", "test_film", "--vary", "swirl:time_s=1", "--frames", "1-2"],
+            "--vary: swirl: time_s does not go with --frames",
+        ),
         (["--material", "test_film", "--thickness-map", "nowhere.png"], "--thickness-map"),
         (
             ["--material", "test_film", "--thickness-map", "x.png", "--range", "0:2000"],

@@ -389,6 +389,25 @@ def test_pixel_of_a_thickness_map_is_the_picture(blender, tmp_path):
         assert found["uv"][0] == pytest.approx(0.5 + found["point"][0] / 4, abs=1e-5)
 
 
+def test_a_drop_has_the_thickness_that_is_asked_for(blender):
+    """base + height (1 − r²/R²) in texture coordinates, the base outside."""
+    pixels = [(32, 32), (20, 40), (50, 12), (6, 32)]
+    drop = "drop:base_nm=100,height_nm=600,radius=0.2,centre=0.45:0.5"
+    done = blender.render(
+        "--material", "test_film", "--stage", "sphere", "--size", "64x64", "--vary", drop, "--json",
+        *(text for x, y in pixels for text in ("--pixel", x, y)),
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    heights = []
+    for found in json.loads(done.stdout)["probes"]:
+        u, v = found["uv"]
+        inside = max(0.0, 1.0 - ((u - 0.45) ** 2 + (v - 0.5) ** 2) / 0.2**2)
+        assert found["thickness_nm"] == pytest.approx(100.0 + 600.0 * inside, abs=0.01)
+        heights.append(inside)
+    assert 0.0 in heights
+    assert max(heights) > 0.5
+
+
 def test_pixel_with_a_picture_says_both(blender45, tmp_path):
     output = tmp_path / "a.exr"
     done = blender45.render(

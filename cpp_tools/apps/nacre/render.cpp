@@ -32,8 +32,14 @@ Options:
   --material ID          a material of the library (nacre library list --kind templates)
   --template FILE        a template; it is compiled first
   --set NAME=VALUE       a socket of the material, e.g. thickness_nm=320; may be repeated
-  --stage NAME           furnace, sphere, plane, bubble or shaderball
-  --vary SOURCE          thickness that varies: drop, drainage, swirl; may be repeated, swirl last
+  --stage NAME           furnace, sphere, plane, bubble, shaderball, disc, prism or gem
+  --technique NAME       what a film's reflectance is computed by, for comparison, e.g. airy
+  --vary SOURCE[:NAME=VALUE,…]
+                         thickness that varies; may be repeated, swirl and spread last:
+                         drop (base_nm, height_nm, centre X:Y, radius), drainage (bottom_nm, time,
+                         black_film, black_thickness_nm), swirl (amount, scale, flow, time_s), spread
+                         (spread_nm); centre and radius in texture coordinates; of a material with
+                         thickness_scale _scale stands for _nm
   --thickness-map FILE   a picture of the thickness; --range LOW:HIGH what black and white mean
   --pixel X Y            thickness, angle, spectrum and colour of the film there; needs no -o
   --aov NAME             a pass in a file beside the picture: normal, uv, to_camera, to_light,
@@ -53,6 +59,7 @@ Cycles is looked for in this order: NACRE_PYTHON (a Python with bpy), NACRE_BLEN
 
   nacre render --material soap_film --stage bubble --samples 64 -o bubble.png
   nacre render --template my_film.toml --set thickness_nm=320 --stage furnace -o furnace.exr
+  nacre render --material oil_on_water --vary drop:base_nm=100,height_nm=600,radius=0.4 -o drop.png
 )";
 
 constexpr const char* kHowToInstall =
