@@ -185,6 +185,22 @@ def test_spectra_are_sampled_too(nacre, kind):
     assert full["XYZ"] == pytest.approx(list(truth), abs=1e-14)
 
 
+def test_steps_are_counted_from_the_lower_bound(nacre):
+    """A constant in bounds, as D. Schiffner's light of steps has it (Wellenlängenbasiertes
+    Beleuchtungsmodell im Shader, 2008): the sum at its lower bound and every N nm above, over Σ ȳ."""
+    cmf = np.loadtxt(
+        ROOT / "cpp_tools/data/cmf/cie_1931_2deg_1nm.csv", delimiter=",", comments=("#", "w")
+    )
+    matching = {int(nm): xyz for nm, *xyz in cmf}
+    for step in (1, 8, 32, 64, 128):
+        inside = [matching[nm] for nm in range(450, 651, step)]
+        expected = step * np.sum(inside, axis=0) / cmf[:, 2].sum()
+        found = nacre.evaluate("spectrum", {"spectrum": "study/box"}, "--sampling", f"steps:{step}")
+        assert found["XYZ"] == pytest.approx(list(expected), rel=1e-9)
+        if step == 64:
+            assert found["XYZ"][0] == pytest.approx(0.994, abs=5e-4)
+
+
 LIGHTS = [
     {"wavelength_nm": [360, 830], "values": [value, value], "kind": "emission"}
     for value in (0.2, 1.5, 4.0)

@@ -400,9 +400,39 @@ def test_spectra_of_the_library_by_name(nacre):
     assert 1900 < lamp["cct_K"] < 2200
 
 
+def test_any_spectrum_is_a_light_or_a_material(nacre):
+    """Under a light as narrow as itself a box is white; twice as bright, or a peak of 117 brought down."""
+    box, dim, lit, daylight, patch = nacre.evaluate(
+        "spectrum",
+        [
+            {"spectrum": "study/box", "kind": "reflectance", "illuminant": "study/box"},
+            {"spectrum": "study/box", "kind": "reflectance", "scale": 0.5, "illuminant": "lamp/hps"},
+            {"wavelength_nm": [360, 449, 450, 650, 651, 830], "values": [0, 0, 0.5, 0.5, 0, 0],
+             "kind": "reflectance", "illuminant": "lamp/hps"},
+            {"spectrum": "study/daylight", "kind": "reflectance", "scale": 0.005},
+            {"spectrum": "study/gold", "kind": "emission", "scale": 3},
+        ],
+    )  # fmt: skip
+    assert box["rgb"] == pytest.approx([1, 1, 1], abs=1e-12)
+    assert dim["XYZ"] == pytest.approx(lit["XYZ"], rel=1e-12)
+    assert 0.3 < daylight["XYZ"][1] < 0.6
+    plain, gold = nacre.evaluate(
+        "spectrum",
+        [{"spectrum": "study/gold", "kind": "emission"}, {"spectrum": "study/gold", "illuminant": "E"}],
+    )  # fmt: skip
+    assert patch["XYZ"] == pytest.approx([3 * value for value in plain["XYZ"]], rel=1e-12)
+    assert plain["XYZ"] == pytest.approx(gold["XYZ"], rel=1e-12)
+
+
 @pytest.mark.parametrize(
     ("record", "message"),
     [
+        (
+            {"spectrum": "study/daylight", "kind": "reflectance"},
+            "[0].spectrum: study/daylight: a reflectance must be in [0, 2], 1 for all of the light (got",
+        ),
+        ({"spectrum": "study/box", "kind": "object"}, "[0].kind: must be"),
+        ({"spectrum": "study/box", "kind": "reflectance", "scale": 0}, "[0].scale: must be > 0"),
         ({"spectrum": "colorchecker/dark"}, "[0].spectrum: must be a key of the library"),
         ({"spectrum": 3}, "[0].spectrum: must be"),
         ({"spectrum": "lamp/hps", "illuminant": "A"}, "an emission is its own light"),

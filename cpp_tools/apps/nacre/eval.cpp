@@ -50,11 +50,14 @@ A file with an array of records, in the same order out:
 constexpr const char* kSpectrumHelp = R"(
 record  {"wavelength_nm": […], "values": […], "kind": "emission|reflectance",
          "illuminant": "D65", "observer": "cie1931|cie1964"}
+        {"spectrum": "study/box", "kind": "reflectance", "scale": 1, "illuminant": "lamp/hps"}
         {"illuminant": "D50"}, {"blackbody_K": 2856} or {"daylight_K": 6504}, with "observer" or not
         {"rgb": [r, g, b], "method": "jakob-hanika|smits", "kind": "reflectance|emission",
          "wavelength_nm": […], "illuminant": "D65", "observer": "cie1931|cie1964"}
   wavelength_nm  ascending. To 1 nm: by Sprague where six or more stand in equal steps (CIE 167),
                  else linearly; outside of them the nearest value counts (CIE 015:2018, 7.2.3)
+  spectrum       key of nacre library list --kind spectra; kind takes it for another than it was
+                 measured as, such as the shape of a light for that of a paint; scale multiplies it
   illuminant     of a reflectance (default D65): a name of `nacre library list --kind illuminants`,
                  blackbody:3200, daylight:5600, line:589.3 or line:435.8@1,546.1@0.8 (power after @)
   observer       default cie1931

@@ -74,13 +74,21 @@ double read_linearly(const spectral::Sampled& values, double wavelength_nm)
     return values[i] + part * (values[i + 1] - values[i]);
 }
 
+/// The first wavelength that is not dark; the last one where all are.
+int lower_bound_nm(const spectral::Sampled& values)
+{
+    std::size_t i = 0;
+    while (i + 1 < values.size() && values[i] == 0.0) ++i;
+    return spectral::kFirstNm + static_cast<int>(i);
+}
+
 /// The sum of `values` with weights of which an illuminant of E makes those of an emission.
 Vec3 sampled_xyz(const spectral::Sampled& values, const Illuminant& illuminant, ObserverId observer,
                  const std::string& sampling)
 {
     const auto weights = reflectance_weights(
         illuminant, observer, spectral::colour_space("xyz_d65"), spectral::Adaptation::none);
-    const auto quadrature = named_quadrature(sampling, weights);
+    const auto quadrature = named_quadrature(sampling, weights, lower_bound_nm(values));
     if (!quadrature) return weights.apply(values);
     std::vector<double> samples;
     samples.reserve(quadrature->wavelength_nm.size());
@@ -162,14 +170,37 @@ struct GivenSpectrum {
     bool is_emission;
 };
 
-/// `spectrum`: the key of one in the library.
+/// `kind`: what a spectrum stands for in this record, whatever it was measured as; `scale`
+/// multiplies its values. Nothing where they do not do for that.
+std::optional<GivenSpectrum> read_as_kind(ObjectReader& reader,
+                                          const spectral::NamedSpectrum& found)
+{
+    const auto kind = reader.optional("kind") ? reader.choice("kind", {"emission", "reflectance"})
+                                              : std::string(spectrum_kind_name(*found.kind));
+    const auto scale = reader.optional("scale") ? reader.number("scale", kPositive) : 1.0;
+    if (!kind || !scale) return std::nullopt;
+    const bool emission = *kind == "emission";
+    std::vector<double> values = found.samples.values();
+    for (double& value : values) value *= *scale;
+    const auto problem = kind_problem(
+        {found.samples.wavelengths_nm(), std::move(values)},
+        emission ? spectral::SpectrumKind::emission : spectral::SpectrumKind::reflectance);
+    if (problem) {
+        reader.problem("spectrum", fmt::format("{}: {}; scale multiplies it", found.key, *problem));
+        return std::nullopt;
+    }
+    spectral::Sampled grid = found.on_grid();
+    for (double& value : grid) value *= *scale;
+    return GivenSpectrum{grid, emission};
+}
+
+/// `spectrum`: the key of one in the library, with `kind` and `scale` or not.
 std::optional<GivenSpectrum> read_named(ObjectReader& reader)
 {
     const auto key = reader.text("spectrum");
     if (!key) return std::nullopt;
     try {
-        const spectral::NamedSpectrum& found = spectral::library_spectrum(*key);
-        return GivenSpectrum{found.on_grid(), found.kind == spectral::SpectrumKind::emission};
+        return read_as_kind(reader, spectral::library_spectrum(*key));
     } catch (const InputError& error) {
         for (const Diagnostic& problem : error.diagnostics())
             reader.problem("spectrum", problem.message);

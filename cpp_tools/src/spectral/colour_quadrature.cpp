@@ -64,14 +64,17 @@ ColourQuadrature fine_quadrature(const ColourWeights& weights, double step_nm)
     return result;
 }
 
-ColourQuadrature stepped_quadrature(const ColourWeights& weights, int step_nm)
+ColourQuadrature stepped_quadrature(const ColourWeights& weights, int step_nm, int from_nm)
 {
     assert(step_nm >= 1 && step_nm <= kLargestStepNm);
+    assert(from_nm >= kFirstNm && from_nm <= kLastNm);
     const auto step = static_cast<std::size_t>(step_nm);
+    auto first = static_cast<std::size_t>(from_nm - kFirstNm);
+    while (first < kWavelengths && weight_at(weights, first) == Vec3{}) ++first;
     ColourQuadrature result;
     result.wavelength_nm.reserve(kWavelengths / step + 1);
     result.weight.reserve(kWavelengths / step + 1);
-    for (std::size_t i = 0; i < kWavelengths; i += step) {
+    for (std::size_t i = first; i < kWavelengths; i += step) {
         result.wavelength_nm.push_back(wavelength_nm(i));
         Vec3 w = weight_at(weights, i);
         for (double& value : w) value *= step_nm;
@@ -101,7 +104,7 @@ ColourQuadrature hierarchical_quadrature(const ColourWeights& weights, int level
 }
 
 std::optional<ColourQuadrature> named_quadrature(std::string_view name,
-                                                 const ColourWeights& weights)
+                                                 const ColourWeights& weights, int from_nm)
 {
     if (name == "adaptive") return std::nullopt;
     if (name == "full") return nanometre_quadrature(weights);
@@ -110,7 +113,7 @@ std::optional<ColourQuadrature> named_quadrature(std::string_view name,
     const std::string_view kind = name.substr(0, colon);
     const int number = colon == name.npos ? kNoNumber : whole_number(name.substr(colon + 1));
     if (kind == "steps" && number >= 1 && number <= kLargestStepNm)
-        return stepped_quadrature(weights, number);
+        return stepped_quadrature(weights, number, from_nm);
     if (kind == "hierarchical" && number >= 0 && number <= kHighestLevel)
         return hierarchical_quadrature(weights, number);
     throw InputError({.file = {},

@@ -79,6 +79,18 @@ TEST(ColourQuadrature, SteppingGetsWorseAndTintsWhite)
               (std::vector<double>{360.0, 488.0, 616.0, 744.0}));
 }
 
+TEST(ColourQuadrature, StepsBeginWhereThereIsSomethingToSum)
+{
+    const auto first = [](const char* illuminant, int from_nm) {
+        const auto quadrature = stepped_quadrature(weights_under(illuminant), 64, from_nm);
+        return quadrature.wavelength_nm.empty() ? 0.0 : quadrature.wavelength_nm.front();
+    };
+    EXPECT_EQ(first("D65", 450), 450.0);
+    EXPECT_EQ(first("study/box", kFirstNm), 450.0);  // 1 from there on
+    EXPECT_EQ(first("study/box", 500), 500.0);
+    EXPECT_EQ(first("study/box", 700), 0.0);  // nothing from 651 nm on
+}
+
 TEST(ColourQuadrature, HierarchyKeepsWhiteUnderAnyLight)
 {
     for (const char* illuminant : {"D65", "F11", "line:435.8@1,546.1@0.8"})

@@ -26,11 +26,12 @@ struct ColourQuadrature {
 /// measured against. @pre 0 < step_nm ≤ 1
 [[nodiscard]] ColourQuadrature fine_quadrature(const ColourWeights& weights, double step_nm);
 
-/// Stepping: every `step_nm` from 360 nm with the weights that happen to be there times the step.
-/// What lies between, lines of a lamp above all, is missed; even white changes its colour. @pre 1 ≤
-/// step_nm ≤ kLargestStepNm
+/// Stepping: every `step_nm` with the weights that happen to be there times the step, from the
+/// first wavelength ≥ `from_nm` that has a weight. What lies between, lines of a lamp above all, is
+/// missed; even white changes its colour. @pre 1 ≤ step_nm ≤ kLargestStepNm
 inline constexpr int kLargestStepNm = 128;
-[[nodiscard]] ColourQuadrature stepped_quadrature(const ColourWeights& weights, int step_nm);
+[[nodiscard]] ColourQuadrature stepped_quadrature(const ColourWeights& weights, int step_nm,
+                                                  int from_nm = kFirstNm);
 
 /// Hierarchy: the 512 nanometres from 324 to 835 nm in cells of 2^level; a cell has the sum of its
 /// weights, so that white stays white, and its spectrum is read in the middle, or at the nearer end
@@ -39,10 +40,12 @@ inline constexpr int kHighestLevel = 9;
 [[nodiscard]] ColourQuadrature hierarchical_quadrature(const ColourWeights& weights, int level);
 
 /// The one of a name: "full" (1 nm), "reference" (0.05 nm), "steps:N" or "hierarchical:LEVEL";
-/// nothing for "adaptive", where wavelengths depend on what is summed.
+/// nothing for "adaptive", where wavelengths depend on what is summed. Steps are counted from
+/// `from_nm`, where what is summed begins.
 /// @throws InputError for any other name, or a number out of range
 [[nodiscard]] std::optional<ColourQuadrature> named_quadrature(std::string_view name,
-                                                               const ColourWeights& weights);
+                                                               const ColourWeights& weights,
+                                                               int from_nm = kFirstNm);
 
 /// Σ weight R; `values` as `quadrature.wavelength_nm`.
 [[nodiscard]] Vec3 quadrature_sum(const ColourQuadrature& quadrature,
