@@ -99,6 +99,18 @@ def test_a_shared_mesh_changes_on_one_object(scenes):
     assert np.abs(scenes.picture("shared") - scenes.picture("not_shared")).max() < 1e-5
 
 
+@pytest.mark.parametrize("form", ["nodes", "osl"])
+def test_a_point_of_a_cloud_is_a_ball(scenes, form):
+    scenes.blender = scenes.blender.with_materials("tempered_steel")
+    pictures = []
+    for kind in ("ball", "point"):
+        done = scenes.render(kind, "--form", form, assign="Ball=tempered_steel")
+        assert done.returncode == 0, done.stderr
+        pictures.append(read_image(scenes.folder / "out" / f"{kind}.exr"))
+    assert pictures[0].min() < 0.8
+    assert np.abs(pictures[1] - pictures[0]).mean() < 1e-3
+
+
 @pytest.mark.parametrize(
     ("kind", "message"),
     [

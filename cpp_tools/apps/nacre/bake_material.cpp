@@ -51,7 +51,7 @@ of intensity, n and k for each INPUT.
 Intensity is the reflectance in air at normal incidence, or a spectrum given by --intensity.
 
   nacre bake material Au/Johnson Cu/Johnson -o metals.exr
-  nacre bake material water/Daimon-20C --intensity study/blue-paint -o water.ftxt)";
+  nacre bake material water/Daimon-20C --intensity colorchecker/blue -o water.ftxt)";
 
 constexpr const char* kLightsHelp = R"(
 INPUT is an illuminant, the key of an emission, or a file of spectra. Four lights a row, 516 texels of

@@ -38,7 +38,7 @@ attributes of the file: see nacre info.
 
   nacre bake stack osl/templates/soap_film.toml -o soap_film.exr
   nacre bake stack osl/templates/soap_film.toml --quantity transmittance --depth half -o soap_T.exr
-  nacre bake stack stack.json --tolerance 0.05 --space lin_ap1_scene -o stack.tx)";
+  nacre bake stack film.json --tolerance 0.05 --space lin_ap1_scene -o film.tx)";
 
 int bake(const Session& session, const StackOptions& options)
 {

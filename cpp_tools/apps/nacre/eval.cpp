@@ -317,7 +317,11 @@ void add_colours(CLI::App& kind, Session& session, const std::shared_ptr<EvalOpt
 void add_eval(CLI::App& app, Session& session)
 {
     CLI::App* eval = app.add_subcommand("eval", "numbers without pictures: JSON in, JSON out");
-    eval->fallthrough()->require_subcommand(1);
+    eval->fallthrough()->require_subcommand(1)->footer(R"(
+A record, or an array of records, comes from a file or the standard input; -o FILE takes the answers.
+
+  echo '{"blackbody_K": 2856}' | nacre eval spectrum
+  nacre eval stack stack.json -o results.json)");
     const auto options = std::make_shared<EvalOptions>();
 
     add_kind(*eval, "stack", "R, T, A, r, t of a multilayer at one angle and wavelength",

@@ -88,7 +88,9 @@ void add_library(CLI::App& app, Session& session)
 {
     CLI::App* library =
         app.add_subcommand("library", "optical constants, spectra, illuminants, templates");
-    library->fallthrough()->require_subcommand(1);
+    library->fallthrough()->require_subcommand(1)->footer(R"(
+  nacre library list iron
+  nacre library show Fe/Johnson --at 550)");
     add_library_list(*library, session);
     add_library_show(*library, session);
     add_check(*library, session);
@@ -96,7 +98,7 @@ void add_library(CLI::App& app, Session& session)
     add_library_import(*library, session);
 
     CLI::App* schema = library->add_subcommand("schema", "JSON Schema of templates, for editors");
-    schema->fallthrough();
+    schema->fallthrough()->footer("\n  nacre library schema >template.schema.json");
     schema->callback([&session] {
         session.run = [] {
             write_text_output("", material::template_json_schema());

@@ -198,6 +198,35 @@ def linked_twins(scene, file) -> None:
             scene.collection.objects.link(obj)
 
 
+def ring(_scene, _file) -> None:
+    _cube().name = "Ring"
+
+
+def ball(scene, _file) -> None:
+    """Under a white sky, fine enough that its faces are not seen."""
+    _under_a_white_sky(scene)
+    bpy.ops.mesh.primitive_uv_sphere_add(segments=256, ring_count=128)
+    bpy.ops.object.shade_smooth()
+    bpy.context.object.name = "Ball"
+
+
+def point(scene, _file) -> None:
+    """The same as one point of a cloud, whose others are too small to be seen."""
+    _under_a_white_sky(scene)
+    bpy.ops.object.pointcloud_random_add()
+    cloud = bpy.context.object
+    cloud.name = "Ball"
+    count = len(cloud.data.points)
+    cloud.data.attributes["position"].data.foreach_set("vector", [0.0] * 3 * count)
+    cloud.data.attributes["radius"].data.foreach_set("value", [1.0] + [1e-4] * (count - 1))
+
+
+def _under_a_white_sky(scene) -> None:
+    bpy.data.objects.remove(_cube())
+    background = next(node for node in scene.world.node_tree.nodes if node.type == "BACKGROUND")
+    background.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+
+
 def _wave_material(form: str, name: str = "test_film") -> bpy.types.NodeTree:
     """Its group; the material is on the cube."""
     compiled = extension.module("core.library").Library.default().load(name)
@@ -233,6 +262,6 @@ _KINDS = {
         plain, stereo, anaglyph, strip, compositor_without_output, compositor, file_output,
         file_output_alone, border, no_layer, second_layer, layer_samples, override, no_camera, scenes,
         no_slots, slot_of_object, two_slots, shared, not_shared, linked, linked_twins, broken_shader,
-        no_table, off, dispersed,
+        no_table, off, dispersed, ring, ball, point,
     )
 }  # fmt: skip
