@@ -14,11 +14,13 @@ from dataclasses import dataclass
 from functools import lru_cache, partial
 
 import bpy
+import numpy as np
 
 from ..core.library import Library
 from ..core.light import light_problem
 from ..core.manifest import CompiledMaterial, ManifestError, from_memory
-from ..core.stack import Stack, StackError, read_stack, write_template
+from ..core.probe import FIRST_NM, LAST_NM
+from ..core.stack import Stack, StackError, parse_medium, read_stack, write_template
 from . import group as groups
 from . import schema, space
 from .image import TABLE, table_pixels
@@ -67,8 +69,8 @@ def media() -> list[tuple[str, str]]:
     return [("air", ""), *((key, _name_of(key)) for key in keys)]
 
 
-@lru_cache(maxsize=1024)
 def _name_of(key: str) -> str:
+    """As it is now: a file of the user's own may be edited at any time."""
     import nacre
 
     try:
@@ -170,6 +172,39 @@ def preview_task(material: bpy.types.Material) -> Callable[[], object] | None:
     if images is None:
         return None
     return partial(_quick_tables, recipe(material), _sizes(images), material.name)
+
+
+def library_digest(wanted: Recipe) -> str:
+    """Of what the library has at present for the names in a recipe, where a user may edit entries."""
+    import nacre
+
+    found = hashlib.sha256()
+    for look_up in (
+        *(partial(_indices, key) for key in _media_of(wanted.template)),
+        lambda: nacre.illuminant(wanted.illuminant),
+    ):
+        try:
+            found.update(look_up().tobytes())
+        except nacre.NacreError as error:  # what cannot be read now may be mended
+            found.update(str(error).encode())
+    return found.hexdigest()
+
+
+@lru_cache(maxsize=64)
+def _media_of(template: str) -> tuple[str, ...]:
+    """The keys of the library that a film is made of."""
+    stack = read_stack(template)
+    texts = {stack.ambient, stack.substrate, *(layer.medium for layer in stack.layers)}
+    keys = {parse_medium(text).get("medium") for text in texts}
+    return tuple(sorted(keys - {None, "air", "vacuum"}))
+
+
+def _indices(key: str) -> np.ndarray:
+    import nacre
+
+    medium = nacre.library.medium(key)
+    grid = np.arange(FIRST_NM, LAST_NM + 1.0)
+    return medium.index(np.clip(grid, *medium.range_nm))
 
 
 def _quick_tables(wanted: Recipe, sizes: Mapping[str, tuple[int, int]], name: str):

@@ -22,12 +22,14 @@ def swatch(material: bpy.types.Material) -> int:
     """Icon of the colours over angle (right: grazing) and thickness (up: more)."""
     wanted = stack.recipe(material)
     rows = 1 if not _varies(wanted.template) else ROWS
-    return _icon(f"{material.session_uid}:swatch", (wanted, rows), _draw_swatch)
+    key = (stack.library_digest(wanted), wanted, rows)
+    return _icon(f"{material.session_uid}:swatch", key, _draw_swatch)
 
 
 def spectrum(material: bpy.types.Material, value: float, angle_deg: float) -> int:
     """Icon of R from 380 to 780 nm at a value of what varies."""
-    key = (stack.recipe(material), round(value, 3), round(angle_deg, 1))
+    wanted = stack.recipe(material)
+    key = (stack.library_digest(wanted), wanted, round(value, 3), round(angle_deg, 1))
     return _icon(f"{material.session_uid}:spectrum", key, _draw_spectrum)
 
 
@@ -69,7 +71,7 @@ def _icon(name: str, key: tuple, draw) -> int:
     return icon.icon_id
 
 
-def _draw_swatch(wanted: stack.Recipe, rows: int):
+def _draw_swatch(_library: str, wanted: stack.Recipe, rows: int):
     import nacre
 
     from ..core import plot
@@ -78,7 +80,7 @@ def _draw_swatch(wanted: stack.Recipe, rows: int):
     return plot.swatch(tables["R"])
 
 
-def _draw_spectrum(wanted: stack.Recipe, value: float, angle_deg: float):
+def _draw_spectrum(_library: str, wanted: stack.Recipe, value: float, angle_deg: float):
     import nacre
 
     found = nacre.template_spectrum(wanted.template, value, angle_deg, **wanted.colours)

@@ -23,7 +23,7 @@ stack = module("nodes.stack")
 views = module("nodes.views")
 folder, form = Path(sys.argv[1]), sys.argv[2]
 
-import nacre  # noqa: E402  on the path that Blender was given
+import nacre  # noqa: E402  which the driver has brought
 
 SIZE, TILT_DEG = 32, 50.0
 UV_AT = ((20, 9), (5, 25), (16, 16))
