@@ -39,7 +39,7 @@ def own_stdout(verbose: bool) -> Iterator[TextIO]:
     os.dup2(aside, 1)
     os.close(aside)
     try:
-        report = int(os.environ.get(_REPORT, kept))
+        report = int(os.environ.pop(_REPORT, kept))  # not for what Blender starts in turn
         with os.fdopen(os.dup(report), "w", encoding="utf-8") as stream:
             yield stream
     finally:
