@@ -29,7 +29,7 @@ from .material import describe, group_node, rebuild_material
 TEMPLATE, ILLUMINANT, OBSERVER = "nacre_template", "nacre_illuminant", "nacre_observer"
 """Custom properties of a material whose stack was edited. The text has the schema in it."""
 
-_LEFT_TO_COMPILE = ("R_further", "R_schlick")
+_LEFT_TO_COMPILE = ("R_further", "R_schlick", "lobe_")
 
 
 @dataclass(frozen=True)

@@ -90,8 +90,8 @@ def preview_tables(
     template : str
         Text of the edited template.
     sizes : mapping
-        (height, width) by name of a table, as the compiled material has them. `R_further` and
-        `R_schlick` are left out of the result.
+        (height, width) by name of a table, as the compiled material has them. `R_further`,
+        `R_schlick` and `lobe_…` are left out of the result.
     file, illuminant, observer, space : str
         As of `compile_template`.
 

@@ -73,7 +73,8 @@ void add_scaled(FilmColour& sum, const FilmColour& colour, double weight)
     }
 }
 
-/// Hemispherical means at `count` equal steps of the variation.
+/// Hemispherical means at `count` equal steps of the variation, as shares: what light finds on its
+/// way to and fro has the colour of the light once, in the film's own T.
 std::vector<FilmColour> means(const FilmTableRequest& from_below, std::size_t count)
 {
     const auto d_line = static_cast<std::size_t>(std::lround(kLineD)) - spectral::kFirstNm;
@@ -92,6 +93,12 @@ std::vector<FilmColour> means(const FilmTableRequest& from_below, std::size_t co
     for (std::size_t i = 0; i < nodes.size(); ++i)
         for (std::size_t row = 0; row < count; ++row)
             add_scaled(result[row], columns[i][row], nodes[i].weight);
+    const spectral::Vec3 white = from_below.weights.white();
+    for (FilmColour& colour : result)
+        for (std::size_t c = 0; c < 3; ++c) {
+            colour.reflectance[c] /= white[c];
+            colour.transmittance[c] /= white[c];
+        }
     return result;
 }
 

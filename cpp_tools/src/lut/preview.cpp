@@ -8,11 +8,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "nacre/optics/microfacet.h"
+#include "rough_glass.h"
+#include "rough_texels.h"
 
 namespace nacre::lut {
 namespace {
@@ -134,19 +137,31 @@ struct Views {
     }
 };
 
+/// Of the last border of glass that was asked for, which no film changes; shared with who reads it.
+std::shared_ptr<const std::vector<optics::GlassFacets>> glass_views(double index, std::size_t width)
+{
+    using Known = std::shared_ptr<const std::vector<optics::GlassFacets>>;
+    static std::mutex mutex;
+    static std::map<std::size_t, std::pair<double, Known>> known;
+    const std::scoped_lock lock(mutex);
+    auto& [of_index, views] = known[width];
+    if (!views || of_index != index) {
+        of_index = index;
+        views = std::make_shared<const std::vector<optics::GlassFacets>>(
+            all_glass_facets(index, width, kColumns));
+    }
+    return views;
+}
+
 /// One smooth table, resampled to the columns of the views.
 class Facets {
 public:
     Facets(const Table& table, int rows) : table_(table) { enlarge(table_, {kColumns, rows}); }
 
+    [[nodiscard]] const Table& table() const { return table_; }
     [[nodiscard]] Vec3 mean(std::size_t row, const View& view) const
     {
-        Vec3 sum{};
-        const float* colours = &table_.texels[3 * row * kColumns];
-        for (std::size_t i = 0; i < kColumns; ++i)
-            for (std::size_t c = 0; c < 3; ++c)
-                sum[c] += view.weights[i] * static_cast<double>(colours[3 * i + c]);
-        return sum;
+        return lut::mean(table_, row, view.weights);
     }
     /// Over the hemisphere, weighted by the cosine.
     [[nodiscard]] Vec3 hemispherical(std::size_t row) const
@@ -170,7 +185,7 @@ double further_share(double mean_reflectance, double mean_albedo)
     return F * F * mean_albedo / (1.0 - F * (1.0 - mean_albedo));
 }
 
-Table rough_like(const Table& smooth, const std::string& name, TexelSize size)
+Table rough_like(const Table& smooth, const std::string& name, TexelSize size, int sides)
 {
     Table table{.name = name,
                 .quantity = smooth.quantity,
@@ -180,7 +195,8 @@ Table rough_like(const Table& smooth, const std::string& name, TexelSize size)
                 .texels = {},
                 .error_max = kNotMeasured,
                 .error_mean = kNotMeasured,
-                .slices = kRoughSlices};
+                .slices = kRoughSlices,
+                .sides = sides};
     table.x.texels = size.width;
     table.y.texels = size.height;
     table.texels.resize(3 * static_cast<std::size_t>(size.width) *
@@ -188,15 +204,39 @@ Table rough_like(const Table& smooth, const std::string& name, TexelSize size)
     return table;
 }
 
+/// Both tables; `row(y)` gives what gives the colour of each texel of that row.
+template <class Row>
+RoughTables rough_tables(const FilmTables& smooth, TexelSize size, int sides, Row&& row)
+{
+    RoughTables result{.reflectance = rough_like(smooth.reflectance, "R_rough", size, sides),
+                       .transmittance = {},
+                       .further = {}};
+    if (smooth.transmittance)
+        result.transmittance = rough_like(*smooth.transmittance, "T_rough", size, sides);
+    const auto width = static_cast<std::size_t>(size.width);
+    tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(size.height), [&](std::size_t y) {
+        const auto colour_at = row(y);
+        for (std::size_t i = 0; i < width; ++i) {
+            const FilmColour colour = colour_at(i);
+            const std::size_t texel = 3 * (y * width + i);
+            for (std::size_t c = 0; c < 3; ++c) {
+                result.reflectance.texels[texel + c] = static_cast<float>(colour.reflectance[c]);
+                if (result.transmittance)
+                    result.transmittance->texels[texel + c] =
+                        static_cast<float>(colour.transmittance[c]);
+            }
+        }
+    });
+    return result;
+}
+
 /// One row of both rough tables.
 class RoughRow {
 public:
-    RoughRow(const Facets& reflectance, const Facets* transmittance, std::size_t row,
-             Bounces bounces)
+    RoughRow(const Facets& reflectance, const Facets* transmittance, std::size_t row)
         : reflectance_(reflectance),
           transmittance_(transmittance),
           row_(row),
-          all_(bounces == Bounces::all),
           mean_R_(reflectance.hemispherical(row))
     {
         if (!transmittance) return;
@@ -211,7 +251,6 @@ public:
     {
         FilmColour result{.reflectance = reflectance_.mean(row_, view), .transmittance = {}};
         if (transmittance_) result.transmittance = transmittance_->mean(row_, view);
-        if (!all_) return result;
         for (std::size_t c = 0; c < 3; ++c) {
             const double lost = 1.0 - view.albedo;
             const double further = lost * further_share(mean_R_[c], mean_albedo);
@@ -225,7 +264,6 @@ private:
     const Facets& reflectance_;
     const Facets* transmittance_;
     std::size_t row_;
-    bool all_;
     Vec3 mean_R_, passing_{};
 };
 
@@ -258,33 +296,30 @@ FilmTables preview_film_tables(const FilmTableRequest& request, TexelSize size)
     return tables;
 }
 
-RoughTables preview_rough_tables(const FilmTables& smooth, TexelSize size, Bounces bounces)
+RoughTables preview_rough_tables(const FilmTables& smooth, TexelSize size)
 {
-    const auto width = static_cast<std::size_t>(size.width) / kRoughSlices;
-    const Views& views = Views::of(width);
+    const Views& views = Views::of(static_cast<std::size_t>(size.width) / kRoughSlices);
+    const std::size_t width = views.at.size() / kRoughSlices;
     const Facets R(smooth.reflectance, size.height);
     std::optional<Facets> T;
     if (smooth.transmittance) T.emplace(*smooth.transmittance, size.height);
-
-    RoughTables result{.reflectance = rough_like(smooth.reflectance, "R_rough", size),
-                       .transmittance = {},
-                       .further = {}};
-    if (T) result.transmittance = rough_like(*smooth.transmittance, "T_rough", size);
-    tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(size.height), [&](std::size_t y) {
-        const RoughRow row(R, T ? &*T : nullptr, y, bounces);
-        for (std::size_t i = 0; i < views.at.size(); ++i) {
-            const std::size_t slice = i / width;
-            const FilmColour colour = row.at(views.at[i], views.mean_albedo[slice]);
-            const std::size_t texel = 3 * (y * views.at.size() + i);
-            for (std::size_t c = 0; c < 3; ++c) {
-                result.reflectance.texels[texel + c] = static_cast<float>(colour.reflectance[c]);
-                if (T)
-                    result.transmittance->texels[texel + c] =
-                        static_cast<float>(colour.transmittance[c]);
-            }
-        }
+    return rough_tables(smooth, size, 1, [&](std::size_t y) {
+        return [&, row = RoughRow(R, T ? &*T : nullptr, y)](std::size_t i) {
+            return row.at(views.at[i], views.mean_albedo[i / width]);
+        };
     });
-    return result;
+}
+
+RoughTables preview_rough_glass_tables(const FilmTables& smooth, double index, TexelSize size)
+{
+    constexpr std::size_t kStrips = kGlassSides * kRoughSlices;
+    const auto facets = glass_views(index, static_cast<std::size_t>(size.width) / kStrips);
+    const Facets R(smooth.reflectance, size.height), T(*smooth.transmittance, size.height);
+    return rough_tables(smooth, size, kGlassSides, [&](std::size_t y) {
+        return [&, y](std::size_t i) {
+            return glass_colour(R.table(), T.table(), y, (*facets)[i], {1.0, 1.0, 1.0});
+        };
+    });
 }
 
 InnerTables preview_inner_tables(const FilmTableRequest& request, int height)

@@ -60,6 +60,7 @@ Json table_entry(const TableInfo& table)
                            {"count", table.slices},
                            {"min", 1.0 / table.slices},
                            {"max", 1.0}};
+    if (table.sides > 1) entry["slices"]["sides"] = {"outside", "inside"};
     return entry;
 }
 
@@ -96,6 +97,7 @@ Json manifest(const Context& context)
                 {"to_xyz_d65", context.to_xyz_d65},
                 {"illuminant", context.illuminant},
                 {"observer", context.observer},
+                {"adaptation", context.adaptation},
                 {"wavelength_per_path", context.wavelengths.has_value()},
                 {"gamut", gamut_entry(context)},
                 {"sockets", Json::array()},

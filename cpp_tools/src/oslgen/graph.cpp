@@ -51,6 +51,26 @@ std::string add_ambient_cosine(Graph& graph, const std::string& cosine, double i
     return "cos_ambient.Result_Float";
 }
 
+/// Socket with the column of a slice of rough glass, after add_ambient_cosine(); see
+/// nacre_glass_column().
+std::string add_glass_column(Graph& graph, double index)
+{
+    const std::string id = "glass_column";
+    if (!graph.first(id)) return id + ".Result_Float";
+    Calculation calculate(graph);
+    const double most = std::max(1e-6, index * index - 1.0);
+    const std::string decay_squared =
+        calculate.number("decay_squared", "MULTIPLY", {"refracted.Value", -1.0 / most}, true);
+    const std::string decay = calculate.number("decay", "SQRT", {decay_squared});
+    const std::string along = calculate.number("along", "SUBTRACT", {"cos_outside.Value", decay});
+    const std::string inside = calculate.number("inside", "MULTIPLY_ADD", {along, 0.5, 0.5});
+    graph.node(id, "ShaderNodeMix", {{"data_type", "FLOAT"}});
+    graph.link("geometry.Backfacing", id + ".Factor_Float");
+    graph.link("cos.Value", id + ".A_Float");
+    graph.link(inside, id + ".B_Float");
+    return id + ".Result_Float";
+}
+
 /// v that puts the ends of the second axis on the centres of the edge texels; beyond them the
 /// image's extension holds the edge. Empty where there is one row.
 std::string add_row(Graph& graph, const TableInfo& table)
@@ -86,13 +106,16 @@ void add_image(Graph& graph, const std::string& id, const TableInfo& table,
 }
 
 /// Image nodes of the tables over the cosine, named as the tables; tables of one size share their
-/// coordinates.
-void add_tables(Graph& graph, const Context& context)
+/// coordinates. What a lobe brings along is for the script, which alone has such a lobe.
+enum class For { nodes, script };
+
+void add_tables(Graph& graph, const Context& context, For whom)
 {
     std::string cosine = add_cosine(graph);
     if (context.solid_index) cosine = add_ambient_cosine(graph, cosine, *context.solid_index);
     for (const TableInfo& table : context.tables) {
         if (table.slices > 1 || table.quantity == "schlick_coefficients") continue;
+        if (table.quantity == "lobe_share" && whom == For::nodes) continue;
         const std::string id = fmt::format("at_{}x{}", table.x.texels, table.y.texels);
         if (graph.first(id)) {
             const double w = table.x.texels;
@@ -123,24 +146,29 @@ void add_slice_share(Calculation& calculate, const std::string& prefix, const st
 
 /// The same for rough tables: `low` and `high`, the shares of the image's width where the slices
 /// below and above the roughness begin, and `fraction`, where between them it lies. Below the first
-/// slice, `is_smooth`, the smooth table takes the place of the lower one.
-void add_level(Graph& graph, const std::string& prefix, const std::string& roughness, int slices)
+/// slice, `is_smooth`, the smooth table takes the place of the lower one. The second side, seen
+/// from inside, has the right half.
+void add_level(Graph& graph, const std::string& prefix, const std::string& roughness,
+               const TableInfo& table)
 {
     Calculation calculate(graph);
     const auto math = [&](const char* id, const char* operation, const std::vector<Json>& operands,
                           bool clamped = false) {
         return calculate.number(prefix + id, operation, operands, clamped);
     };
-    const double n = slices;
+    const double n = table.slices, all = n * table.sides;
     const std::string held = math("held", "ADD", {roughness, 0.0}, true);
     const std::string level = math("level", "MULTIPLY", {held, n});
     const std::string floor = math("floor", "FLOOR", {level});
     add_slice_share(calculate, prefix, level, floor);
     math("is_smooth", "LESS_THAN", {level, 1.0});
-    const std::string lower = math("lower", "MULTIPLY_ADD", {floor, 1.0 / n, -1.0 / n});
-    math("low", "MAXIMUM", {lower, 0.0});
-    const std::string upper = math("upper", "MULTIPLY", {floor, 1.0 / n});
-    math("high", "MINIMUM", {upper, 1.0 - 1.0 / n});
+    const std::string lower = math("lower", "MULTIPLY_ADD", {floor, 1.0 / all, -1.0 / all});
+    const std::string low = math("low", "MAXIMUM", {lower, 0.0});
+    const std::string upper = math("upper", "MULTIPLY", {floor, 1.0 / all});
+    const std::string high = math("high", "MINIMUM", {upper, (n - 1.0) / all});
+    if (table.sides == 1) return;
+    math("low_of_side", "MULTIPLY_ADD", {"geometry.Backfacing", 0.5, low});
+    math("high_of_side", "MULTIPLY_ADD", {"geometry.Backfacing", 0.5, high});
 }
 
 /// Prefixes of the nodes of the roughness at which a brushed surface's tables are read.
@@ -160,18 +188,19 @@ std::string add_slice_positions(Graph& graph, const Context& context, const Tabl
     std::string id = fmt::format("{}slices_{}x{}", level, table.x.texels, table.y.texels);
     if (!graph.first(id)) return id;
     if (graph.first(level + "level"))
-        add_level(graph, level, roughness_of(graph, context, level), table.slices);
-    const double columns = table.x.texels, width = columns / table.slices;
+        add_level(graph, level, roughness_of(graph, context, level), table);
+    const double columns = table.x.texels, width = columns / (table.sides * table.slices);
     const bool brushed = context.source->surface.anisotropy.has_value();
-    const std::string cosine = context.solid_index ? "cos_ambient.Result_Float"
+    const std::string cosine = context.solid_index ? add_glass_column(graph, *context.solid_index)
                                : brushed           ? "cos_seen.Value"
                                                    : "cos.Value";
+    const std::string of_side = table.sides > 1 ? "_of_side.Value" : ".Value";
     multiply_add(graph, id + "_in", cosine, (width - 1.0) / columns, 0.5 / columns);
     const std::string row = add_row(graph, table);
     Calculation calculate(graph);
     for (const std::string end : {"low", "high"}) {
         const std::string u = calculate.number(fmt::format("{}_u_{}", id, end), "ADD",
-                                               {id + "_in.Value", level + end + ".Value"});
+                                               {id + "_in.Value", level + end + of_side});
         add_position(graph, fmt::format("{}_{}", id, end), u, 0.0, row);
     }
     return id;
@@ -319,7 +348,7 @@ std::string add_below_the_film(Graph& graph, const Context& context, const std::
 Json film_nodes(const Context& context)
 {
     Graph graph;
-    add_tables(graph, context);
+    add_tables(graph, context, For::nodes);
     graph.node("reflection", "ShaderNodeBsdfAnisotropic", {{"distribution", "GGX"}});
     const std::string reflected = faded(graph, context, "R");
     graph.link(reflected, "reflection.Color");
@@ -346,7 +375,7 @@ Json film_nodes(const Context& context)
 Json glass_nodes(const Context& context)
 {
     Graph graph;
-    graph.node("glass", "ShaderNodeBsdfGlass", {{"distribution", "GGX"}},
+    graph.node("glass", "ShaderNodeBsdfGlass", {{"distribution", "MULTI_GGX"}},
                {{"IOR", context.glass->n_d}});
     graph.link("input.roughness", "glass.Roughness");
     graph.link("input.normal", "glass.Normal");
@@ -385,7 +414,7 @@ void add_colours(Graph& graph, const Context& context)
 Json osl_graph(const Context& context)
 {
     Graph graph;
-    if (!context.tables.empty()) add_tables(graph, context);
+    if (!context.tables.empty()) add_tables(graph, context, For::script);
     graph.node("script", "ShaderNodeScript");
     add_colours(graph, context);
     for (const Socket& socket : sockets(context))

@@ -151,10 +151,10 @@ std::string rough_colour(const TableInfo& rough, std::string_view smooth, Facets
 {
     const bool apart = facets == Facets::further;
     return fmt::format(
-        "{0}nacre_rough_table(table_{1}, {2}, nacre_level(facets.{3}),\n"
-        "                                facets.seen_cosine, {4}, {5}.0, {6}.0, table_origin_top)",
+        "{0}nacre_rough_table(table_{1}, {2}, nacre_level(facets.{3}), {4},\n"
+        "                                facets.seen_cosine, {5}, {6}.0, {7}.0, table_origin_top)",
         apart ? "facets.further_scale * " : "", rough.name, smooth, apart ? "further" : "seen",
-        row_of(rough), rough.x.texels / rough.slices, rough.y.texels);
+        rough.sides, row_of(rough), rough.x.texels / (rough.sides * rough.slices), rough.y.texels);
 }
 
 /// `color NAME = …;` of one quantity and substrate, with or without film.
@@ -259,11 +259,11 @@ std::string below_the_film(const Context& context)
             return film_colour(context, "T") + reflection(context) +
                    "    BSDF = T * transparent() + BSDF;\n";
         case material::Interior::solid:
-            return film_colour(context, "T") +
-                   (has_bare(context, "R") ? "" : colour_of(context, "R", "_bare")) +
+            return film_colour(context, "T") + colour_of(context, "lobe_R", "") +
+                   colour_of(context, "lobe_T", "") +
                    fmt::format(
                        "    BSDF = nacre_coated_glass(surface_normal, roughness, {}, R, T, "
-                       "R_bare);\n",
+                       "lobe_R, lobe_T);\n",
                        literal(context.solid_index.value()));
         case material::Interior::diffuse:
             return film_colour(context, "T") + film_colour(context, "R_inner") +
@@ -289,15 +289,21 @@ std::string film_body(const Context& context)
 {
     const TableInfo::Axis& axis = find_table(context, "R")->y;
     std::string body = "    float x = fabs(dot(surface_normal, I));\n";
-    if (context.solid_index)
-        body +=
-            fmt::format("    x = nacre_ambient_cosine(x, {});\n", literal(*context.solid_index));
+    std::string column = "x";
+    if (context.solid_index) {
+        body += fmt::format(
+            "    float column = nacre_glass_column(x, {0});\n"
+            "    x = nacre_ambient_cosine(x, {0});\n",
+            literal(*context.solid_index));
+        column = "column";
+    }
     if (axis.texels > 1)
         body += fmt::format("    float y = ({} - {}) / {};\n", axis.name, literal(axis.min),
                             literal(axis.max - axis.min));
     body += context.source->surface.anisotropy
                 ? brushed_facets()
-                : "    nacre_facets facets = nacre_isotropic_facets(x, roughness);\n";
+                : fmt::format("    nacre_facets facets = nacre_isotropic_facets({}, roughness);\n",
+                              column);
     return body + film_colour(context, "R") + below_the_film(context);
 }
 
@@ -359,7 +365,7 @@ std::vector<std::string> looked_up_colours(const Context& context)
         if (table.name == "R_schlick") {
             for (int k = 0; k < table.x.texels; ++k)
                 names.push_back(fmt::format("R_schlick_{}", k));
-        } else if (!table.name.starts_with("R_rough") && !table.name.starts_with("T_rough")) {
+        } else if (table.slices == 1 || table.name.starts_with("R_further")) {
             names.push_back(table.name);
         }
     }

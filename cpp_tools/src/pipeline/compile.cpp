@@ -3,12 +3,13 @@
 #include "nacre/pipeline/compile.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <variant>
 
 #include "media.h"
 #include "nacre/lut/inner_tables.h"
-#include "nacre/lut/rough_tables.h"
+#include "nacre/lut/rough_glass_tables.h"
 #include "nacre/lut/schlick_fit.h"
 #include "nacre/oslgen/material_program.h"
 #include "nacre/pipeline/shader_tables.h"
@@ -24,8 +25,8 @@ using material::GratingSpec;
 using material::MaterialTemplate;
 using material::StackSpec;
 
-// Fraunhofer lines of the Abbe number: ISO 7944.
-constexpr double kLineF = 486.1327, kLineD = 587.5618, kLineC = 656.2725;
+// Those of the Abbe number beside d: ISO 7944.
+constexpr double kLineF = 486.1327, kLineC = 656.2725;
 
 // Knots of a glass: cubics between them stay within 1e-7 of any Sellmeier curve of a clear medium.
 constexpr double kKnotStepNm = 10.0;
@@ -39,7 +40,7 @@ spectral::ColourWeights colour_weights(const CompileOptions& options)
     const spectral::ColourSpace& space =
         options.custom_space ? *options.custom_space : spectral::colour_space(options.space);
     return spectral::reflectance_weights(spectral::named_illuminant(options.illuminant),
-                                         options.observer, space);
+                                         options.observer, space, options.adaptation);
 }
 
 std::optional<lut::Variation> variation(const StackSpec& stack)
@@ -84,7 +85,8 @@ oslgen::TableInfo table_info(const lut::Table& table, const std::string& id)
             .error_mean = table.error_mean,
             .lowest = *std::ranges::min_element(table.texels),
             .error_unit = table.error_unit,
-            .slices = table.slices};
+            .slices = table.slices,
+            .sides = table.sides};
 }
 
 /// Of smooth tables. What is lost to rounding is 0.002 of ΔE00 on average, a quarter of what their rows
@@ -92,13 +94,15 @@ oslgen::TableInfo table_info(const lut::Table& table, const std::string& id)
 constexpr int kTexelBits = 13;
 
 /// R, and what light needs that goes on below the film, smooth and rough.
-std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request, material::Interior below)
+std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request,
+                                    const MaterialTemplate& source)
 {
     lut::FilmTableRequest rounded = request;
     rounded.texel_bits = kTexelBits;
     lut::FilmTables baked = lut::bake_film_tables(rounded);
-    lut::RoughTables rough = lut::bake_rough_tables(
-        request, baked, below == material::Interior::solid ? lut::Bounces::one : lut::Bounces::all);
+    const std::optional<double> index = solid_index(source);
+    lut::RoughTables rough = index ? lut::bake_rough_glass_tables(request, baked, *index)
+                                   : lut::bake_rough_tables(request, baked);
     const int height = baked.reflectance.y.texels;
     std::vector<lut::Table> tables{std::move(baked.reflectance), std::move(rough.reflectance)};
     const auto add = [&tables](std::optional<lut::Table>& table) {
@@ -107,7 +111,7 @@ std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request, materi
     add(rough.further);
     add(baked.transmittance);
     add(rough.transmittance);
-    if (below == material::Interior::diffuse) {
+    if (source.interior() == material::Interior::diffuse) {
         lut::InnerTables inner = lut::bake_inner_tables(request, height);
         tables.push_back(std::move(inner.reflectance));
         tables.push_back(std::move(inner.transmittance));
@@ -129,21 +133,27 @@ auto bake(const MaterialTemplate& source, Bake&& work)
     }
 }
 
-/// Tables of the substrate alone: all of them where coverage fades the film, and R where a lobe of
-/// clear glass brings its own Fresnel reflectance along.
+/// Tables of the substrate alone, where coverage fades the film.
 void add_bare_tables(lut::FilmTableRequest request, const MaterialTemplate& source,
                      std::vector<lut::Table>& tables)
 {
-    const bool fades = source.parameter("coverage") != nullptr;
-    if (!fades && source.interior() != material::Interior::solid) return;
+    if (source.parameter("coverage") == nullptr) return;
     request.stack.layers.clear();
     request.variation.reset();
     request.progress = nullptr;
-    for (lut::Table& table : film_tables(request, source.interior())) {
-        if (!fades && table.quantity != "reflectance") continue;
+    for (lut::Table& table : film_tables(request, source)) {
         table.name += "_bare";
         tables.push_back(std::move(table));
     }
+}
+
+/// What the lobe of clear glass brings along, over slices as wide as those of the film.
+void add_lobe_tables(double index, std::vector<lut::Table>& tables)
+{
+    const lut::Table& rough = *std::ranges::find(tables, "R_rough", &lut::Table::name);
+    std::vector<lut::Table> lobes =
+        lut::bake_lobe_tables(index, rough.x.texels / (rough.sides * rough.slices));
+    std::ranges::move(lobes, std::back_inserter(tables));
 }
 
 oslgen::SchlickTerms schlick_terms(lut::SchlickFit& fit)
@@ -163,8 +173,10 @@ FilmBake bake_all(const MaterialTemplate& source, const CompileOptions& options)
 {
     const lut::FilmTableRequest request = film_request(source, options);
     return bake(source, [&] {
-        FilmBake result{.tables = film_tables(request, source.interior()), .schlick = {}};
-        if (source.interior() != material::Interior::solid) {
+        FilmBake result{.tables = film_tables(request, source), .schlick = {}};
+        if (const std::optional<double> index = solid_index(source)) {
+            add_lobe_tables(*index, result.tables);
+        } else {
             lut::SchlickFit fit = lut::fit_schlick(request, result.tables.front());
             result.tables.push_back(std::move(fit.coefficients));
             result.schlick = schlick_terms(fit);
@@ -195,14 +207,6 @@ oslgen::GratingColours grating_colours(const GratingSpec& grating, const std::st
     return {.tint = weights.apply(reflectance),
             .basis = tint_basis(sampling, weights, reflectance),
             .cover_index = cover_index};
-}
-
-/// Index of the substrate relative to the ambient, at the d line.
-double relative_index(const StackSpec& stack, const std::string& file)
-{
-    MediaReader media(file);
-    return media.constants(stack.substrate)->at(kLineD).real() /
-           media.constants(stack.ambient)->at(kLineD).real();
 }
 
 oslgen::GlassIndex glass_index(const GlassSpec& glass, const std::string& file,
@@ -254,6 +258,11 @@ lut::FilmTableRequest film_request(const MaterialTemplate& source, const Compile
 
 CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& options)
 {
+    const bool is_film = std::holds_alternative<StackSpec>(source.kind);
+    if (options.adaptation == spectral::Adaptation::none && !is_film)
+        throw InputError(Diagnostic{source.file, 0, "",
+                                    "must be a film where colours are not adapted (--cat none): "
+                                    "glasses and gratings split white light"});
     oslgen::Context context;
     context.source = &source;
     const spectral::ColourWeights weights = colour_weights(options);
@@ -261,6 +270,7 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
     context.to_xyz_d65 = weights.to_xyz_d65;
     context.illuminant = weights.illuminant;
     context.observer = spectral::observer_name(weights.observer);
+    context.adaptation = spectral::adaptation_name(options.adaptation);
 
     CompiledMaterial result{.id = source.id, .osl = {}, .manifest = {}, .tables = {}};
     if (const auto* grating = std::get_if<GratingSpec>(&source.kind)) {
@@ -277,8 +287,7 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
         context.schlick = std::move(baked.schlick);
         for (const lut::Table& table : result.tables)
             context.tables.push_back(table_info(table, source.id));
-        if (source.interior() == material::Interior::solid)
-            context.solid_index = relative_index(std::get<StackSpec>(source.kind), source.file);
+        context.solid_index = solid_index(source);
     }
     oslgen::MaterialProgram program = oslgen::generate(context);
     result.osl = std::move(program.osl);

@@ -87,4 +87,15 @@ lut::IndexOnGrid MediaReader::clear_on_grid(const material::MediumSpec& spec, do
     return index;
 }
 
+std::optional<double> solid_index(const material::MaterialTemplate& source)
+{
+    if (source.interior() != material::Interior::solid) return std::nullopt;
+    const auto& stack = std::get<material::StackSpec>(source.kind);
+    MediaReader media(source.file);
+    const OpticalConstantsPtr substrate = media.constants(stack.substrate),
+                              ambient = media.constants(stack.ambient);
+    media.throw_if_any();
+    return substrate->at(kLineD).real() / ambient->at(kLineD).real();
+}
+
 }  // namespace nacre::pipeline

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "nacre/core/diagnostics.h"
@@ -10,6 +11,9 @@
 #include "nacre/spectral/optical_constants.h"
 
 namespace nacre::pipeline {
+
+/// Of the Fraunhofer line d: ISO 7944.
+inline constexpr double kLineD = 587.5618;
 
 /// A clear medium's data sheet may list a trace of absorption.
 inline constexpr double kTraceOfK = 1e-4;
@@ -36,5 +40,10 @@ private:
     std::string file_;
     DiagnosticList problems_;
 };
+
+/// Index of the substrate relative to the ambient, at the d line, of a film on solid glass; nothing
+/// of any other.
+/// @throws InputError with the template's lines
+[[nodiscard]] std::optional<double> solid_index(const material::MaterialTemplate& source);
 
 }  // namespace nacre::pipeline

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "media.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/optics/film_model_stack.h"
 #include "nacre/optics/multilayer.h"
@@ -21,13 +22,22 @@ namespace {
 using material::Interior, material::MaterialTemplate;
 
 constexpr std::string_view kBare = "_bare";
-constexpr std::array<std::string_view, 2> kLeftOut{"R_further", "R_schlick"};
+constexpr std::array<std::string_view, 3> kLeftOut{"R_further", "R_schlick", "lobe_"};
+
+bool is_left_out(std::string_view name)
+{
+    return std::ranges::any_of(kLeftOut,
+                               [name](std::string_view start) { return name.starts_with(start); });
+}
 
 /// The tables of one stack that are asked for, by name without suffix.
 class Preview {
 public:
-    Preview(lut::FilmTableRequest request, Interior below, std::string file)
-        : request_(std::move(request)), below_(below), file_(std::move(file))
+    Preview(lut::FilmTableRequest request, const MaterialTemplate& source)
+        : request_(std::move(request)),
+          below_(source.interior()),
+          solid_index_(solid_index(source)),
+          file_(source.file)
     {}
 
     lut::Table make(std::string_view name, lut::TexelSize size)
@@ -45,6 +55,7 @@ public:
 private:
     lut::FilmTableRequest request_;
     Interior below_;
+    std::optional<double> solid_index_;
     std::string file_;
     std::optional<lut::FilmTables> smooth_;
     std::optional<lut::RoughTables> rough_;
@@ -60,10 +71,10 @@ private:
     {
         constexpr lut::TexelSize kWhereThereIsNone{33, 33};
         const int rows = request_.variation ? kWhereThereIsNone.height : 1;
-        if (!rough_)
-            rough_ = lut::preview_rough_tables(
-                smooth({kWhereThereIsNone.width, rows}), size,
-                below_ == Interior::solid ? lut::Bounces::one : lut::Bounces::all);
+        if (rough_) return *rough_;
+        const lut::FilmTables& means = smooth({kWhereThereIsNone.width, rows});
+        rough_ = solid_index_ ? lut::preview_rough_glass_tables(means, *solid_index_, size)
+                              : lut::preview_rough_tables(means, size);
         return *rough_;
     }
     const lut::InnerTables& inner(lut::TexelSize size)
@@ -82,19 +93,21 @@ private:
                                             table.name, table.size.width, table.size.height)});
 }
 
-void check(const TableLayout& table, bool varies, const std::string& file)
+void check(const TableLayout& table, bool varies, const MaterialTemplate& source)
 {
     const std::string_view name = table.name;
     const bool column = name.starts_with("R_inner") || name.starts_with("T_inner");
     const bool rough = name.starts_with("R_rough") || name.starts_with("T_rough");
-    const int least = column ? 1 : rough ? 2 * lut::kRoughSlices : 2;
+    const int strips =
+        lut::kRoughSlices * (source.interior() == Interior::solid ? lut::kGlassSides : 1);
+    const int least = column ? 1 : rough ? 2 * strips : 2;
     const bool one_row = !varies || name.ends_with(kBare);
     constexpr int kMost = 65536;
     if (table.size.width >= least && table.size.width <= kMost && table.size.height <= kMost &&
-        (!rough || table.size.width % lut::kRoughSlices == 0) &&
+        (!rough || table.size.width % strips == 0) &&
         (one_row ? table.size.height == 1 : table.size.height >= 2))
         return;
-    refuse_size(table, file);
+    refuse_size(table, source.file);
 }
 
 optics::PowerRatios power_at(const lut::FilmTableRequest& request, const optics::FilmStack& stack,
@@ -134,13 +147,12 @@ std::vector<lut::Table> preview_tables(const MaterialTemplate& source,
     lut::FilmTableRequest bare_request = request;
     bare_request.stack.layers.clear();
     bare_request.variation.reset();
-    Preview film(request, source.interior(), source.file),
-        bare(std::move(bare_request), source.interior(), source.file);
+    Preview film(request, source), bare(std::move(bare_request), source);
 
     // First what the others are made from, in whatever order they are asked for.
     for (const TableLayout& wanted : layout)
         if (wanted.name == "R" || wanted.name == "R_bare") {
-            check(wanted, request.variation.has_value(), source.file);
+            check(wanted, request.variation.has_value(), source);
             static_cast<void>((wanted.name == "R" ? film : bare).make("R", wanted.size));
         }
     std::vector<lut::Table> tables;
@@ -148,8 +160,8 @@ std::vector<lut::Table> preview_tables(const MaterialTemplate& source,
         std::string_view name = wanted.name;
         const bool is_bare = name.ends_with(kBare);
         if (is_bare) name.remove_suffix(kBare.size());
-        if (std::ranges::find(kLeftOut, name) != kLeftOut.end()) continue;
-        check(wanted, request.variation.has_value(), source.file);
+        if (is_left_out(name)) continue;
+        check(wanted, request.variation.has_value(), source);
         lut::Table table = (is_bare ? bare : film).make(name, wanted.size);
         if (table.x.texels != wanted.size.width || table.y.texels != wanted.size.height)
             refuse_size(wanted, source.file);

@@ -71,6 +71,13 @@ Vec3 ColourWeights::apply(const Sampled& reflectance) const noexcept
     return colour;
 }
 
+Vec3 ColourWeights::white() const noexcept
+{
+    Sampled one;
+    one.fill(1.0);
+    return apply(one);
+}
+
 Vec3 emission_white(ObserverId observer_id)
 {
     if (observer_id == ObserverId::cie1931) return d65_white();

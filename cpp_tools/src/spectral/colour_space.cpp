@@ -67,7 +67,21 @@ Adaptation adaptation_from_name(std::string_view name)
          .message = fmt::format("must be one of bradford, cat16, none (got '{}')", name)});
 }
 
-Mat3 adaptation(Adaptation how, const Vec3& from_white, const Vec3& to_white)
+std::string adaptation_name(Adaptation how)
+{
+    switch (how) {
+        case Adaptation::bradford:
+            return "bradford";
+        case Adaptation::cat16:
+            return "cat16";
+        case Adaptation::none:
+            break;
+    }
+    return "none";
+}
+
+Mat3 adaptation(Adaptation how, const Vec3& from_white, const Vec3& to_white,
+                std::string_view way_out)
 {
     if (how == Adaptation::none) return diagonal({1.0, 1.0, 1.0});
     // ICC.1:2022, annex E; Li et al. 2017, Color Research & Application 42, 703.
@@ -84,8 +98,8 @@ Mat3 adaptation(Adaptation how, const Vec3& from_white, const Vec3& to_white)
             {.file = {},
              .field = "illuminant",
              .message = fmt::format("must have a white that can be adapted, cone responses all > 0 "
-                                    "(got {}, {}, {}); without adaptation it is taken as it is",
-                                    from[0], from[1], from[2])});
+                                    "(got {}, {}, {}){}",
+                                    from[0], from[1], from[2], way_out)});
     const Vec3 to = multiply(cones, to_white);
     const Mat3 scale = diagonal({to[0] / from[0], to[1] / from[1], to[2] / from[2]});
     return multiply(inverse(cones), multiply(scale, cones));

@@ -6,7 +6,8 @@
 
 // Films on rough surfaces. A rough table holds NACRE_SLICES tables side by side, of roughness 0.1,
 // 0.2 … 1, each over the cosine; between two of them, and between the smooth table and the first,
-// colours are mixed by nacre_slice_share().
+// colours are mixed by nacre_slice_share(). Of glass there are as many slices again, seen from
+// inside.
 #define NACRE_SLICES 10
 
 float nacre_level(float roughness)
@@ -14,12 +15,14 @@ float nacre_level(float roughness)
     return clamp(roughness, 0.0, 1.0) * NACRE_SLICES;
 }
 
-// Slice 1 … NACRE_SLICES of a rough table whose slices are `width` texels wide.
-color nacre_slice(string file, float slice, float x, float y, float width, float height,
+// Slice 1 … NACRE_SLICES of the side that is seen, of a rough table of `sides` whose slices are
+// `width` texels wide.
+color nacre_slice(string file, float slice, int sides, float x, float y, float width, float height,
                   int origin_top)
 {
-    float column = (slice - 1.0) * width + clamp(x, 0.0, 1.0) * (width - 1.0);
-    float columns = NACRE_SLICES * width;
+    float before = slice - 1.0 + (sides > 1 && backfacing() ? NACRE_SLICES : 0);
+    float column = before * width + clamp(x, 0.0, 1.0) * (width - 1.0);
+    float columns = sides * NACRE_SLICES * width;
     return nacre_table(file, column / (columns - 1.0), y, columns, height, origin_top);
 }
 
@@ -32,13 +35,14 @@ float nacre_slice_share(float level, float low)
 }
 
 // From a rough table at `level`, above the colour of a smooth surface.
-color nacre_rough_table(string file, color smooth, float level, float x, float y, float width,
-                        float height, int origin_top)
+color nacre_rough_table(string file, color smooth, float level, int sides, float x, float y,
+                        float width, float height, int origin_top)
 {
     float low = floor(level);
-    color below = low < 1.0 ? smooth : nacre_slice(file, low, x, y, width, height, origin_top);
+    color below =
+        low < 1.0 ? smooth : nacre_slice(file, low, sides, x, y, width, height, origin_top);
     if (level == low) return below;
-    color above = nacre_slice(file, low + 1.0, x, y, width, height, origin_top);
+    color above = nacre_slice(file, low + 1.0, sides, x, y, width, height, origin_top);
     return mix(below, above, nacre_slice_share(level, low));
 }
 

@@ -6,10 +6,11 @@ A job of one: material, form, values, size, samples, file and `lit`:
 `all` the plain furnace; `reflected` the world is black for light that passed the film, or glass below
 it; `passed` it is white only for camera rays that went straight through the film. (Cycles meets a
 point sphere from outside only, so that light crosses one wall.) `sun` is one direction, `angle`
-degrees below the camera, and nothing else. Without a material the sphere is white glossy. `brush`
-lays the tangent to the camera's right. `spread_nm` makes the thickness uneven by that standard
-deviation. `inside_deg`: in place of the sphere a plane, seen from its back at that angle, as from
-inside of glass. `quarter`: the upper right one of the picture alone.
+degrees below the camera, and nothing else. Without a material the sphere is white glossy, or with an
+`index` white glass, of Blender's own. `brush` lays the tangent to the camera's right. `solid`: the
+sphere is a mesh, whose far side light meets from inside; glass always has one. `spread_nm` makes the
+thickness uneven by that standard deviation. `inside_deg`: in place of the sphere a plane, seen from
+its back at that angle, as from inside of glass. `quarter`: the upper right one of the picture alone.
 
 An atlas: `form`, `cells` (each the material, values, `brush` and `spread_nm` of a sphere), `columns`,
 the `size` of a cell, samples and file. Cells go from left to right and down.
@@ -67,15 +68,17 @@ def light_by_sun(scene: bpy.types.Scene, angle: float) -> None:
     scene.collection.objects.link(sun)
 
 
-def white_glossy(roughness: float) -> bpy.types.Material:
+def blenders_own(roughness: float, index: float | None) -> bpy.types.Material:
     material = bpy.data.materials.new("white")
     material.use_nodes = True
     tree = material.node_tree
     tree.nodes.clear()
-    lobe = tree.nodes.new("ShaderNodeBsdfAnisotropic")
-    lobe.distribution = "GGX"
+    lobe = tree.nodes.new("ShaderNodeBsdfAnisotropic" if index is None else "ShaderNodeBsdfGlass")
+    lobe.distribution = "GGX" if index is None else "MULTI_GGX"
     lobe.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
     lobe.inputs["Roughness"].default_value = roughness
+    if index is not None:
+        lobe.inputs["IOR"].default_value = index
     output = tree.nodes.new("ShaderNodeOutputMaterial")
     tree.links.new(lobe.outputs[0], output.inputs["Surface"])
     return material
@@ -119,10 +122,15 @@ def keep_all_light(scene: bpy.types.Scene) -> None:
 def render(**job) -> None:
     stage = extension.module("scenes").build_stage("furnace")
     scene = stage.scene
-    given = job["material"] is not None
-    material = film(scene, job) if given else white_glossy(job["values"]["roughness"])
+    if job["material"] is None:
+        material = blenders_own(job["values"]["roughness"], job.get("index"))
+    else:
+        material = film(scene, job)
     if "inside_deg" in job:
         place_from_inside(scene, material, job["inside_deg"])
+    elif job.get("solid"):
+        ball = extension.module("scenes.shape").sphere
+        ball(scene, "Sphere", (0.0, 0.0, 0.0), 1.0, rings=256).data.materials.append(material)
     else:
         stage.place(material)
     if job["lit"] == "sun":

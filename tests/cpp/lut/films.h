@@ -76,6 +76,15 @@ inline FilmTableRequest mirror()
     return asked;
 }
 
+/// 50 … 400 nm of a medium on clear glass of index 1.5.
+inline FilmTableRequest on_glass(std::complex<double> n)
+{
+    auto asked = request(constant(1.0), {{constant(n), 100.0, true}}, constant(1.5),
+                         Variation{0, 50.0, 400.0});
+    asked.transmittance = true;
+    return asked;
+}
+
 /// A film on a pane that is not coherent.
 inline FilmTableRequest coated_pane()
 {

@@ -12,15 +12,6 @@ namespace {
 
 using test::constant;
 
-/// 50 … 400 nm of a medium on clear glass of index 1.5.
-FilmTableRequest on_glass(std::complex<double> n)
-{
-    auto asked = test::request(constant(1.0), {{constant(n), 100.0, true}}, constant(1.5),
-                               Variation{0, 50.0, 400.0});
-    asked.transmittance = true;
-    return asked;
-}
-
 /// What a hemisphere of light in the glass sends out, from the other side: T is the same both ways
 /// along a ray, and a solid angle outside is n² times the one inside.
 double transmitted_from_above(const FilmTableRequest& request, double value, std::size_t channel)
@@ -51,7 +42,7 @@ TEST(InnerTables, BareGlassReturnsWhatTheTextbooksSay)
 TEST(InnerTables, AgreeWithTheFilmSeenFromAbove)
 {
     for (const std::complex<double> n : {std::complex<double>{2.3, 0.0}, {1.8, 0.4}}) {
-        const FilmTableRequest request = on_glass(n);
+        const FilmTableRequest request = test::on_glass(n);
         const InnerTables tables = bake_inner_tables(request, 8);
         ASSERT_EQ(tables.transmittance.texels.size(), 24u);
         for (const int row : {0, 3, 7})
@@ -67,7 +58,7 @@ TEST(InnerTables, AgreeWithTheFilmSeenFromAbove)
 
 TEST(InnerTables, ClearFilmsKeepAllLight)
 {
-    const InnerTables tables = bake_inner_tables(on_glass(2.3), 9);
+    const InnerTables tables = bake_inner_tables(test::on_glass(2.3), 9);
     for (std::size_t i = 0; i < tables.reflectance.texels.size(); ++i)
         EXPECT_NEAR(tables.reflectance.texels[i] + tables.transmittance.texels[i], 1.0, 1e-6);
     EXPECT_GT(tables.reflectance.error_max, 0.0);
@@ -75,7 +66,7 @@ TEST(InnerTables, ClearFilmsKeepAllLight)
 
 TEST(InnerTables, AbsorbingFilmsDoNot)
 {
-    const InnerTables tables = bake_inner_tables(on_glass({1.8, 0.4}), 3);
+    const InnerTables tables = bake_inner_tables(test::on_glass({1.8, 0.4}), 3);
     EXPECT_LT(tables.reflectance.texels[6] + tables.transmittance.texels[6], 0.7F);
 }
 
@@ -101,7 +92,7 @@ TEST(InnerTables, SeenFromBelowKeepsTheVaryingLayer)
 
 TEST(InnerTables, RefusesWhatTheTablesRefuse)
 {
-    FilmTableRequest wrong = on_glass(2.0);
+    FilmTableRequest wrong = test::on_glass(2.0);
     wrong.variation = Variation{3, 0.0, 1.0};
     EXPECT_THROW(static_cast<void>(bake_inner_tables(wrong, 4)), InputError);
 }

@@ -80,10 +80,9 @@ TEST(Preview, RoughTablesAreCloseToTheBake)
 {
     for (const FilmTableRequest& request : {test::soap_film(), test::anodised(), test::mirror()}) {
         const FilmTables smooth = bake_film_tables(request);
-        const RoughTables baked = bake_rough_tables(request, smooth, Bounces::all);
-        const RoughTables quick =
-            preview_rough_tables(preview_film_tables(request, size_of(smooth.reflectance)),
-                                 size_of(baked.reflectance), Bounces::all);
+        const RoughTables baked = bake_rough_tables(request, smooth);
+        const RoughTables quick = preview_rough_tables(
+            preview_film_tables(request, size_of(smooth.reflectance)), size_of(baked.reflectance));
         const Difference R = difference(quick.reflectance, baked.reflectance, request);
         std::printf("R_rough %d x %d: dE00 mean %.3f max %.3f\n", baked.reflectance.x.texels,
                     baked.reflectance.y.texels, R.mean, R.max);
@@ -96,12 +95,25 @@ TEST(Preview, RoughTablesAreCloseToTheBake)
     }
 }
 
+TEST(Preview, RoughGlassIsCloseToTheBake)
+{
+    constexpr double kIndex = 1.52;
+    const FilmTableRequest request = test::mirror();
+    const FilmTables smooth = bake_film_tables(request);
+    const RoughTables baked = bake_rough_glass_tables(request, smooth, kIndex);
+    const RoughTables quick =
+        preview_rough_glass_tables(preview_film_tables(request, size_of(smooth.reflectance)),
+                                   kIndex, size_of(baked.reflectance));
+    EXPECT_EQ(quick.reflectance.sides, kGlassSides);
+    EXPECT_LT(difference(quick.reflectance, baked.reflectance, request).mean, 1.0);
+    EXPECT_LT(difference(*quick.transmittance, *baked.transmittance, request).mean, 1.0);
+}
+
 TEST(Preview, AMirrorStaysWhiteHoweverRough)
 {
     FilmTableRequest request =
         test::request(test::constant(1.0), {}, test::constant({1e-4, 90.0}), {});
-    const RoughTables rough =
-        preview_rough_tables(preview_film_tables(request, {33, 1}), {340, 1}, Bounces::all);
+    const RoughTables rough = preview_rough_tables(preview_film_tables(request, {33, 1}), {340, 1});
     // R E + further = 1, divided by E: what the lobe's own albedo E takes away comes back.
     const Table& table = rough.reflectance;
     EXPECT_GT(*std::ranges::min_element(table.texels), 0.99F);

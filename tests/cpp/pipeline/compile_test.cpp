@@ -105,8 +105,8 @@ std::vector<std::string> names(const CompiledMaterial& material)
 TEST(Compile, FilmOnSolidGlassRefracts)
 {
     const CompiledMaterial result = compiled(kOnGlass + "transmission = true\n");
-    EXPECT_EQ(names(result),
-              (std::vector<std::string>{"R", "R_rough", "T", "T_rough", "R_bare", "R_rough_bare"}));
+    EXPECT_EQ(names(result), (std::vector<std::string>{"R", "R_rough", "T", "T_rough", "lobe_R",
+                                                       "lobe_R_rough", "lobe_T", "lobe_T_rough"}));
     EXPECT_NE(result.osl.find("nacre_coated_glass(surface_normal, roughness, 1.5168"),
               std::string::npos);
     const Json manifest = Json::parse(result.manifest);

@@ -23,7 +23,7 @@ typedef struct nacre_table_size {
 
 /**
  * Tables of these names and sizes for a film that is being edited, quickly and without stated
- * errors; `R_further` and `R_schlick` are left out.
+ * errors; `R_further`, `R_schlick` and `lobe_...` are left out.
  */
 NACRE_API nacre_status nacre_preview_template(const char* text, const char* file,
                                               const char* illuminant, const char* observer,

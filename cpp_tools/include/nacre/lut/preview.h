@@ -4,7 +4,7 @@
 
 #include "nacre/lut/film_table.h"
 #include "nacre/lut/inner_tables.h"
-#include "nacre/lut/rough_tables.h"
+#include "nacre/lut/rough_glass_tables.h"
 
 /// @file
 /// Tables for the time while someone edits a stack: of a given size, in a hundredth of the time of
@@ -25,8 +25,11 @@ struct TexelSize {
 /// `R_rough` and `T_rough` for these smooth tables, which need not be of the final size. Further
 /// bounces by the hemispherical means of each channel (Kulla and Conty 2017); there is no
 /// `further`.
-[[nodiscard]] RoughTables preview_rough_tables(const FilmTables& smooth, TexelSize size,
-                                               Bounces bounces);
+[[nodiscard]] RoughTables preview_rough_tables(const FilmTables& smooth, TexelSize size);
+
+/// The same as bake_rough_glass_tables() makes them; the first of an index takes half a second.
+[[nodiscard]] RoughTables preview_rough_glass_tables(const FilmTables& smooth, double index,
+                                                     TexelSize size);
 
 /// `R_inner` and `T_inner`, exact on fewer rows.
 /// @pre the substrate is clear

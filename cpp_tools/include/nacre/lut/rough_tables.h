@@ -24,21 +24,16 @@ inline constexpr int kRoughTexelBits = 9;
 /// light would be up to 1.011.
 [[nodiscard]] double slice_share(double slice, int low) noexcept;
 
-/// Whether light that meets facets more than once is counted.
-enum class Bounces {
-    one,
-    all,  ///< each wavelength by itself, as walk_microsurface() finds it
-};
-
 /// Tints of a lobe whose single-scattering albedo E(θ, α) the renderer brings along.
 struct RoughTables {
-    /// `R_rough`: the mean over the facets that a view sees, weighted by the light that gets out;
-    /// with all bounces also what leaves after two and more, divided by E.
+    /// `R_rough`: the mean over the facets that a view sees, weighted by the light that gets out,
+    /// and what leaves after two and more bounces, divided by E.
     Table reflectance;
-    /// `T_rough`: the mean over the facets; with all bounces also what other facets pass of the
-    /// light that the first ones reflected, so that a clear wall keeps all light: E R + T = 1.
+    /// `T_rough`: the mean over the facets and what other facets pass of the light that the first
+    /// ones reflected, so that a clear wall keeps all light: E R + T = 1.
     std::optional<Table> transmittance;
-    /// `R_further`: what leaves after two and more bounces alone, divided by E; with all bounces.
+    /// `R_further`: what leaves after two and more bounces alone, divided by E; each wavelength by
+    /// itself, as walk_microsurface() finds it. Not of films on solid glass.
     std::optional<Table> further;
 };
 
@@ -46,6 +41,6 @@ struct RoughTables {
 ///                taken over, and the size
 /// @throws InputError when the stack is not valid
 [[nodiscard]] RoughTables bake_rough_tables(const FilmTableRequest& request,
-                                            const FilmTables& smooth, Bounces bounces);
+                                            const FilmTables& smooth);
 
 }  // namespace nacre::lut

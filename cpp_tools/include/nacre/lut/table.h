@@ -39,6 +39,8 @@ struct Table {
     int slices = 1;
     /// Of the mantissa, without the leading one, that texels were rounded to.
     int texel_bits = kFloatBits;
+    /// 2: so many slices again follow, seen from inside the glass, see rough_glass_tables.h.
+    int sides = 1;
 };
 
 }  // namespace nacre::lut

@@ -38,6 +38,7 @@ struct TableInfo {
     double lowest;  ///< of all texels and channels; below 0 where a colour is out of the gamut
     std::string error_unit = "dE00";
     int slices = 1;  ///< of roughness, side by side along x: see lut/rough_tables.h
+    int sides = 1;   ///< of glass: so many times all slices, see lut/rough_glass_tables.h
 };
 
 /// λ(u) and its weights, see spectral/wavelength_sampling.h (oslgen does not see that module).
@@ -79,7 +80,7 @@ struct Context {
     std::optional<GratingColours> grating;
     std::optional<SchlickTerms> schlick;  ///< of films whose lobe is not that of clear glass
     std::optional<double> solid_index;    ///< of a film on clear glass: relative, at the d line
-    std::string space, illuminant, observer;
+    std::string space, illuminant, observer, adaptation;
     /// Of the space: rows of the matrix from its colours to XYZ (oslgen does not see `spectral`).
     std::array<std::array<double, 3>, 3> to_xyz_d65{};
 };

@@ -21,6 +21,8 @@ namespace nacre::pipeline {
 struct CompileOptions {
     std::string illuminant = "D65";
     spectral::ObserverId observer = spectral::ObserverId::cie1931;
+    /// None: films alone, whose tables then have the colour of the light in them.
+    spectral::Adaptation adaptation = spectral::Adaptation::bradford;
     std::string space = "lin_rec709_scene";
     /// Instead of `space`: a scene-linear space that the library does not know by name.
     std::optional<spectral::ColourSpace> custom_space;

@@ -22,8 +22,8 @@ struct TableLayout {
 };
 
 /// Tables of these names and sizes, without stated errors; the shader and the graphs that read the
-/// old ones go on reading them. Fits and further bounces (`R_schlick`, `R_further`) are left out:
-/// they wait for compile().
+/// old ones go on reading them. Fits, further bounces and the lobes of the substrate
+/// (`R_schlick`, `R_further`, `lobe_R`) are left out: they wait for compile().
 ///
 /// @param options  tolerance is not looked at
 /// @throws InputError with the template's lines; or where a table does not belong to such a film,

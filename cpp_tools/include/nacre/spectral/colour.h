@@ -51,10 +51,13 @@ enum class Adaptation {
 
 /// "bradford", "cat16" or "none". @throws InputError for any other name.
 [[nodiscard]] Adaptation adaptation_from_name(std::string_view name);
+[[nodiscard]] std::string adaptation_name(Adaptation how);
 
 /// Takes colours under one white, given as XYZ, to another: von Kries factors on cone responses.
+/// @param way_out  ends the message: how the caller's user asks for no adaptation
 /// @throws InputError when a cone response of `from_white` is not > 0, as of a line of sodium.
-[[nodiscard]] Mat3 adaptation(Adaptation how, const Vec3& from_white, const Vec3& to_white);
+[[nodiscard]] Mat3 adaptation(Adaptation how, const Vec3& from_white, const Vec3& to_white,
+                              std::string_view way_out = "");
 
 /// A scene-linear space that is a matrix away from XYZ. The XYZ side is relative to D65 (the
 /// `cie_xyz_d65_interchange` of OpenColorIO): D65 is (1, 1, 1) in every RGB space here, as it is
@@ -90,6 +93,8 @@ struct ColourWeights {
     Mat3 to_xyz_d65;  ///< of the space: from what `apply` returns to XYZ, e.g. for ΔE00
 
     [[nodiscard]] Vec3 apply(const Sampled& reflectance) const noexcept;
+    /// The colour of a perfect white.
+    [[nodiscard]] Vec3 white() const noexcept;
 };
 
 [[nodiscard]] ColourWeights reflectance_weights(const Illuminant& illuminant, ObserverId observer,
