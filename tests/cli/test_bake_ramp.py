@@ -43,7 +43,10 @@ def test_csv(ramp, expected):
     lines = ramp("film.csv").read_text().splitlines()
     comments = [line for line in lines if line.startswith("#")]
     assert "reflectance at 40 degrees, along thickness_nm 0 ... 400" in comments[1]
-    assert "illuminant D50, observer cie1931, space lin_rec709_scene" in comments[2]
+    assert (
+        "illuminant D50, observer cie1931, adaptation bradford, space lin_rec709_scene"
+        in comments[2]
+    )
     header, *rows = lines[len(comments) :]
     assert header == "thickness_nm,R,G,B"
     table = numbers(rows)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import json
 
+import colour
 import numpy as np
 import OpenImageIO as oiio
 import pytest
@@ -50,6 +51,23 @@ def test_transmittance(nacre, film_json, tmp_path):
         nacre, [[1, 0], [1.33, 0], [1.5, 0]], [400], 0, quantity="T", illuminant="A"
     )
     assert pixels[1, 2] == pytest.approx(expected, abs=1e-6)
+
+
+def test_colours_may_have_the_light_in_them(nacre, film_json, tmp_path):
+    """A surface of R = ((n - 1) / (n + 1))^2 at all wavelengths has the colour of the light: CIE A,
+    by the coordinates that CIE 15 prints."""
+    path = tmp_path / "film.exr"
+    options = ("--size", "2x3", "--illuminant", "A", "--cat", "none")
+    nacre.ok("bake", "stack", film_json, *options, "-o", path)
+    pixels, attributes = read_all(path)
+    assert attributes["nacre:adaptation"] == "none"
+    to_xyz = colour.RGB_COLOURSPACES["sRGB"].matrix_RGB_to_XYZ
+    light = np.linalg.solve(to_xyz, colour.xy_to_XYZ([0.44757, 0.40745]))
+    np.testing.assert_allclose(pixels[0, 1], 0.04 * light, rtol=2e-3)  # no film, seen from above
+    nacre.ok("bake", "stack", film_json, *options[:-2], "-o", path)
+    pixels, attributes = read_all(path)
+    assert attributes["nacre:adaptation"] == "bradford"
+    np.testing.assert_allclose(pixels[0, 1], 0.04, rtol=1e-5)
 
 
 def test_template_table_says_what_it_is(soap_table):

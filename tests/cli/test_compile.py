@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from support.images import json_attribute, read_all, spec_of
-from support.paths import materials_folder
+from support.paths import TEMPLATES, materials_folder
 
 MATERIALS = materials_folder()
 FILM = """\
@@ -183,6 +183,52 @@ def test_options_reach_the_manifest(nacre, film, tmp_path):
     assert manifest["space"] == "lin_ap1_scene"
     assert manifest["illuminant"] == "A"
     assert manifest["observer"] == "cie1964"
+
+
+LIGHTS = {
+    "compile": ("{film}", "--tolerance", "1", "-o", "{out}"),
+    "bake stack": ("{film}", "--size", "3x3", "-o", "{out}/R.exr"),
+    "bake ramp": ("{film}", "-o", "{out}/ramp.cube"),
+    "bake material": ("Au/Johnson", "-o", "{out}/gold.exr"),
+    "export csv": ("{film}", "-o", "{out}/ramp.csv"),
+    "export table": ("{film}", "--size", "3x3", "-o", "{out}/table.exr"),
+    "export materialx": ("{film}", "--tolerance", "1", "-o", "{out}/film.mtlx"),
+    "export gltf": ("{film}", "-o", "{out}/film.gltf"),
+    "export mitsuba": ("{film}", "-o", "{out}/film.xml"),
+}
+
+
+@pytest.mark.parametrize("command", LIGHTS)
+def test_what_cannot_be_adapted_is_taken_as_it_is_where_asked(nacre, film, tmp_path, command):
+    """Sodium has no blue to be made white of; each message names an option that the command has."""
+    out = tmp_path / "out"
+    out.mkdir()
+    words = [word.format(film=film, out=out) for word in LIGHTS[command]]
+    call = (*command.split(), *words, "--illuminant", "lamp/lps")
+    errors = nacre.fails(*call)
+    assert "must have a white that can be adapted" in errors
+    assert "--cat none takes it as it is" in errors
+    assert not list(out.iterdir())
+    nacre.ok(*call, "--cat", "none")
+    assert list(out.iterdir())
+
+
+def test_the_manifest_says_how_colours_are_adapted(nacre, film, tmp_path):
+    for how in ("bradford", "cat16", "none"):
+        options = ("--tolerance", "1", "--illuminant", "A", "--cat", how)
+        nacre.ok("compile", film, *options, "-o", tmp_path)
+        manifest = json.loads((tmp_path / "test_film" / "test_film.json").read_text())
+        assert manifest["adaptation"] == how
+        _, attributes = read_all(tmp_path / "test_film" / "test_film_R.exr")
+        assert attributes["nacre:adaptation"] == how
+
+
+@pytest.mark.parametrize("material", ["n_bk7", "cd"])
+def test_white_light_alone_is_split(nacre, tmp_path, material):
+    template = TEMPLATES / f"{material}.toml"
+    errors = nacre.fails("compile", template, "--cat", "none", "-o", tmp_path / "out")
+    assert f"{template}: must be a film where colours are not adapted (--cat none)" in errors
+    assert not (tmp_path / "out").exists()
 
 
 def test_a_folder_is_replaced_whole(nacre, film, tmp_path):

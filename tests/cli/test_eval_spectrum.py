@@ -368,8 +368,30 @@ def test_colours_are_brought_into_the_gamut(nacre):
     np.testing.assert_array_equal(rgb("clip"), kept.clip(0, 1))
     scaled = (kept / kept.max()).clip(0, 1)
     np.testing.assert_allclose(rgb("scale"), scaled, rtol=0, atol=1e-15)
-    assert rgb("desaturate").min() >= 0
-    assert rgb("desaturate").max() <= 1
+    assert rgb("desaturate").min() == 0
+    assert 1 < rgb("desaturate").max() < kept.max()  # a light, of Y = 1
+
+
+def test_bright_lights_keep_their_colour(nacre):
+    """Of Y = 1: a bulb is inside the gamut; of sodium the way to white, straight in xy, is gone as far
+    as the edge from red to green."""
+    bulb, sodium = (
+        nacre.evaluate("spectrum", [{"illuminant": key}], "--gamut", "keep")[0]
+        for key in ("A", "lamp/lps")
+    )
+    mapped_bulb, mapped = nacre.evaluate(
+        "spectrum", [{"illuminant": "A"}, {"illuminant": "lamp/lps"}], "--gamut", "desaturate"
+    )
+    assert mapped_bulb["rgb"] == bulb["rgb"]
+    assert min(sodium["rgb"]) < 0
+    rec709 = colour.RGB_COLOURSPACES["sRGB"]
+    red, green, _ = rec709.primaries
+    white, line = rec709.whitepoint, np.array(sodium["xy"])
+    along, _ = np.linalg.solve(np.stack([line - white, red - green], axis=1), red - white)
+    xyz = colour.xy_to_XYZ(white + along * (line - white))
+    expected = np.linalg.solve(rec709.matrix_RGB_to_XYZ, xyz)
+    np.testing.assert_allclose(mapped["rgb"], expected, rtol=0, atol=2e-3)  # theirs: four digits
+    assert mapped["rgb"][2] == pytest.approx(0.0, abs=1e-12)
 
 
 def test_gamut_needs_an_rgb_space(nacre):

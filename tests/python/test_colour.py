@@ -181,6 +181,17 @@ def test_gamut_mappings():
     assert weights @ grey == pytest.approx(luminance, abs=1e-3)
 
 
+def test_a_light_keeps_its_colour_however_bright():
+    bulb = nacre.illuminant("A") * 5.0
+    kept = nacre.spectrum_to_colour(GRID, bulb, "emission").rgb
+    assert kept.min() > 0
+    assert kept.max() > 1
+    mapped = nacre.spectrum_to_colour(GRID, bulb, "emission", gamut="desaturate").rgb
+    np.testing.assert_array_equal(mapped, kept)
+    white = nacre.spectrum_to_colour(GRID, np.full(471, 2.0), gamut="desaturate").rgb
+    np.testing.assert_array_equal(white, 1.0)  # of a surface
+
+
 def test_rgb_goes_to_a_spectrum_and_back():
     rgb = RANDOM.random((5, 40, 3))
     risen = nacre.rgb_to_spectrum(rgb)

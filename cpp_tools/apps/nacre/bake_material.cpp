@@ -221,15 +221,16 @@ int bake_material(const Session& session, const MaterialOptions& options)
     check_options(options);
     const ResolvedTableOptions light = resolve(options.light);
     const TableProvenance& provenance = light.provenance;
-    Materials materials =
-        read_materials(session, options,
-                       reflectance_weights(spectral::named_illuminant(provenance.illuminant),
-                                           provenance.observer, provenance.space));
+    Materials materials = read_materials(
+        session, options,
+        reflectance_weights(spectral::named_illuminant(provenance.illuminant), provenance.observer,
+                            provenance.space, provenance.adaptation));
     if (is_csv(options.output)) return write_csv(options, materials.spectra);
     const Encoding encoding = encoding_for(options.output, options.depth);
     const bool bytes = encoding.depth == Depth::byte;
     Attributes attributes = colour_attributes(texture_attributes("materials"), provenance);
     attributes["nacre:illuminant"] = provenance.illuminant;
+    attributes["nacre:adaptation"] = spectral::adaptation_name(provenance.adaptation);
     attributes["nacre:names"] = nlohmann::json(materials.names).dump();
     attributes["nacre:references"] = nlohmann::json(materials.references).dump();
     ByteScales scales;

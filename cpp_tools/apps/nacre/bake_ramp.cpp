@@ -44,7 +44,7 @@ Eight colours of a soap film seen at 45 degrees:
 struct Ramp {
     std::string title, name;  ///< of the material; `thickness_nm` or `thickness_scale`
     double min, max, angle_deg;
-    std::string quantity, illuminant, observer, space;
+    std::string quantity, illuminant, observer, adaptation, space;
     std::vector<spectral::Vec3> colours;
 };
 
@@ -60,9 +60,9 @@ std::string provenance(const Ramp& ramp, const char* mark)
 {
     return fmt::format(
         "{0} {1} at {2:g} degrees, along {3} {4:g} ... {5:g}\n"
-        "{0} illuminant {6}, observer {7}, space {8}; Nacre {9}\n",
+        "{0} illuminant {6}, observer {7}, adaptation {8}, space {9}; Nacre {10}\n",
         mark, ramp.quantity, ramp.angle_deg, ramp.name, ramp.min, ramp.max, ramp.illuminant,
-        ramp.observer, ramp.space, version());
+        ramp.observer, ramp.adaptation, ramp.space, version());
 }
 
 /// The format has no quotes within quotes.
@@ -149,6 +149,7 @@ std::string ramp_text(const material::MaterialTemplate& source, const RampOption
               .quantity = options.quantity,
               .illuminant = table.provenance.illuminant,
               .observer = std::string(spectral::observer_name(table.provenance.observer)),
+              .adaptation = spectral::adaptation_name(table.provenance.adaptation),
               .space = table.provenance.space.name,
               .colours = {}};
     for (const lut::FilmColour& colour : exact_film_ramp(request, cosine, options.size))

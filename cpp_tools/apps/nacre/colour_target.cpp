@@ -119,4 +119,14 @@ spectral::ColourSpace linear_space(const ColourTarget& target)
                                   target.name)});
 }
 
+void add_adaptation_option(CLI::App& command, std::string& name)
+{
+    command
+        .add_option("--cat", name,
+                    "adaptation of the illuminant's white to D65: bradford, cat16; none: colours "
+                    "have the light in them")
+        ->check(CLI::IsMember({"bradford", "cat16", "none"}))
+        ->capture_default_str();
+}
+
 }  // namespace nacre::tool

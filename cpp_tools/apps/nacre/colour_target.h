@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "nacre/spectral/colour.h"
 
@@ -41,5 +42,10 @@ void add_colour_target_options(CLI::App& command, ColourTargetOptions& options);
 /// For tables, whose texels a renderer interpolates and multiplies.
 /// @throws InputError when the space is not scene-linear.
 [[nodiscard]] spectral::ColourSpace linear_space(const ColourTarget& target);
+
+/// `--cat`: how the white of a light becomes that of the space.
+void add_adaptation_option(CLI::App& command, std::string& name);
+/// For spectral::adaptation(), whose user has that option.
+inline constexpr std::string_view kWithoutCat = "; --cat none takes it as it is";
 
 }  // namespace nacre::tool

@@ -283,13 +283,11 @@ void add_colours(CLI::App& kind, Session& session, const std::shared_ptr<EvalOpt
                  ColourEvaluator evaluate)
 {
     add_colour_target_options(kind, options->colour);
-    kind.add_option("--cat", options->adaptation,
-                    "adaptation of a reflectance's white to D65: bradford, cat16, or none")
-        ->check(CLI::IsMember({"bradford", "cat16", "none"}))
-        ->capture_default_str();
+    add_adaptation_option(kind, options->adaptation);
     kind.add_option("--gamut", options->gamut,
                     "rgb outside [0, 1]: keep; clip each channel; desaturate towards the grey of "
-                    "the same luminance; scale all channels by one factor")
+                    "the same luminance, a light only until no channel is negative; scale all "
+                    "channels by one factor")
         ->check(CLI::IsMember({"keep", "clip", "desaturate", "scale"}))
         ->capture_default_str();
     kind.add_option("--range", options->range,

@@ -54,7 +54,7 @@ struct ColourChoices {
 };
 /// From XYZ that is adapted to D65.
 [[nodiscard]] spectral::Vec3 rgb_of(const spectral::Vec3& xyz_d65, const ColourTarget& target,
-                                    const ColourChoices& choices);
+                                    const ColourChoices& choices, spectral::ColourOf what);
 [[nodiscard]] ordered_json evaluate_colour(const json& record, const ColourTarget& target,
                                            const ColourChoices& choices);
 [[nodiscard]] ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,

@@ -122,12 +122,14 @@ ordered_json evaluate_colour(const json& record, const ColourTarget& target,
     perfect.fill(1.0);
     const Vec3 white =
         spectral::reflectance_to_xyz(perfect, question.illuminant, question.observer);
-    const auto to_d65 = spectral::adaptation(choices.adaptation, white, spectral::d65_white());
+    const auto to_d65 =
+        spectral::adaptation(choices.adaptation, white, spectral::d65_white(), kWithoutCat);
     const auto part = [&](const Vec3& rgb) {
         const Vec3 xyz = multiply(space.to_xyz_d65, rgb);
-        return ordered_json{{"XYZ", xyz},
-                            {"Lab", spectral::xyz_to_lab(xyz, white)},
-                            {"rgb", rgb_of(multiply(to_d65, xyz), target, choices)}};
+        return ordered_json{
+            {"XYZ", xyz},
+            {"Lab", spectral::xyz_to_lab(xyz, white)},
+            {"rgb", rgb_of(multiply(to_d65, xyz), target, choices, spectral::ColourOf::surface)}};
     };
     return {{"reflectance", part(colour.reflectance)},
             {"transmittance", part(colour.transmittance)},

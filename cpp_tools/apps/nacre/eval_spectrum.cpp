@@ -42,6 +42,7 @@ namespace {
 /// degree observer, whose locus of Planck the colour temperature belongs to.
 struct Colour {
     Vec3 xyz, xyz_d65, lab_white, xyz_1931;
+    spectral::ColourOf what = spectral::ColourOf::surface;
     ordered_json spectrum = ordered_json::object();  ///< members that only some records answer with
 };
 
@@ -53,7 +54,8 @@ Colour emission_colour(ObserverId observer, const XyzOf& xyz_of)
     return {.xyz = xyz,
             .xyz_d65 = multiply(spectral::emission_to_d65(observer), xyz),
             .lab_white = spectral::emission_white(observer),
-            .xyz_1931 = observer == ObserverId::cie1931 ? xyz : xyz_of(ObserverId::cie1931)};
+            .xyz_1931 = observer == ObserverId::cie1931 ? xyz : xyz_of(ObserverId::cie1931),
+            .what = spectral::ColourOf::light};
 }
 
 Colour source_colour(const Illuminant& source, ObserverId observer)
@@ -105,7 +107,8 @@ Colour reflectance_colour(const spectral::Sampled& reflectance, const Illuminant
     const Vec3 xyz = sampled_xyz(reflectance, illuminant, observer, choices.sampling);
     return {.xyz = xyz,
             .xyz_d65 = multiply(
-                spectral::adaptation(choices.adaptation, white, spectral::d65_white()), xyz),
+                spectral::adaptation(choices.adaptation, white, spectral::d65_white(), kWithoutCat),
+                xyz),
             .lab_white = white,
             .xyz_1931 =
                 observer == ObserverId::cie1931
@@ -316,11 +319,12 @@ Colour read_colour(const json& record, const ColourTarget& target, const ColourC
 
 }  // namespace
 
-Vec3 rgb_of(const Vec3& xyz_d65, const ColourTarget& target, const ColourChoices& choices)
+Vec3 rgb_of(const Vec3& xyz_d65, const ColourTarget& target, const ColourChoices& choices,
+            spectral::ColourOf what)
 {
     // Only a linear space has a luminance; add_eval() saw to it that it is not needed elsewhere.
     const Vec3 luminance = target.linear ? target.linear->to_xyz_d65[1] : Vec3{};
-    return spectral::map_to_gamut(target.from_xyz_d65(xyz_d65), choices.gamut, luminance);
+    return spectral::map_to_gamut(target.from_xyz_d65(xyz_d65), choices.gamut, luminance, what);
 }
 
 ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
@@ -339,7 +343,7 @@ ordered_json evaluate_spectrum(const json& record, const ColourTarget& target,
     ordered_json result = {{"XYZ", xyz},
                            {"xy", xy},
                            {"Lab", spectral::xyz_to_lab(xyz, colour.lab_white)},
-                           {"rgb", rgb_of(colour.xyz_d65, target, choices)},
+                           {"rgb", rgb_of(colour.xyz_d65, target, choices, colour.what)},
                            {"space", target.name},
                            {"cct_K", cct},
                            {"duv", duv}};

@@ -252,7 +252,7 @@ lut::FilmTableRequest rec709_request(const ExportedMaterial& material,
     lut::FilmTableRequest request = material.request;
     request.weights = spectral::reflectance_weights(
         spectral::named_illuminant(provenance.illuminant), provenance.observer,
-        spectral::colour_space("lin_rec709_scene"));
+        spectral::colour_space("lin_rec709_scene"), provenance.adaptation);
     return request;
 }
 
@@ -269,6 +269,7 @@ ordered_json provenance_json(const ExportedMaterial& material, const TableProven
     result["roughness"] = material.roughness;
     result["illuminant"] = provenance.illuminant;
     result["observer"] = spectral::observer_name(provenance.observer);
+    result["adaptation"] = spectral::adaptation_name(provenance.adaptation);
     result["space"] = provenance.space.name;
     return result;
 }

@@ -89,7 +89,8 @@ void add_emission(Plot& plot, const Sampled& power)
     const auto& space = spectral::colour_space("lin_rec709_scene");
     const Vec3 rgb = multiply(space.from_xyz_d65, xyz);
     add_colour(plot, xyz, rgb,
-               map_to_gamut(rgb, spectral::GamutMapping::scale, space.to_xyz_d65[1]));
+               map_to_gamut(rgb, spectral::GamutMapping::scale, space.to_xyz_d65[1],
+                            spectral::ColourOf::light));
     if (const auto white = spectral::colour_temperature(xyz)) {
         plot.facts.push_back({"CCT", fmt::format("{:.0f} K", white->cct_kelvin)});
         plot.facts.push_back({"Duv", fmt::format("{:+.4f}", white->duv)});

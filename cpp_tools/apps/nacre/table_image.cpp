@@ -53,6 +53,7 @@ Attributes table_attributes(const lut::Table& table, const TableProvenance& prov
         {"nacre:stack", provenance.stack},
         {"nacre:illuminant", provenance.illuminant},
         {"nacre:observer", std::string(spectral::observer_name(provenance.observer))},
+        {"nacre:adaptation", spectral::adaptation_name(provenance.adaptation)},
         {"nacre:space", provenance.space.name},
         {"nacre:error", error.dump()},
         {"colorInteropID", interop_id(provenance)},

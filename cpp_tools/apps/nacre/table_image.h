@@ -21,6 +21,7 @@ struct TableProvenance {
     std::string stack;  ///< JSON, in the form that `bake stack` reads
     std::string illuminant;
     spectral::ObserverId observer = spectral::ObserverId::cie1931;
+    spectral::Adaptation adaptation = spectral::Adaptation::bradford;
     spectral::ColourSpace space;
     bool built_in_space = true;
 };

@@ -36,7 +36,22 @@ void add_illuminant_options(CLI::App& command, TableOptions& options)
                                 spectral::kIlluminantForms))
         ->capture_default_str();
     command.add_option("--observer", options.observer, "cie1931, cie1964")->capture_default_str();
+    add_adaptation_option(command, options.adaptation);
 }
+
+namespace {
+
+/// Before anything is computed, and with a word on what to do.
+void refuse_to_adapt(const spectral::Illuminant& illuminant, const TableProvenance& provenance)
+{
+    spectral::Sampled perfect;
+    perfect.fill(1.0);
+    const spectral::Vec3 white =
+        spectral::reflectance_to_xyz(perfect, illuminant, provenance.observer);
+    (void)spectral::adaptation(provenance.adaptation, white, spectral::d65_white(), kWithoutCat);
+}
+
+}  // namespace
 
 ResolvedTableOptions resolve(const TableOptions& options)
 {
@@ -47,10 +62,14 @@ ResolvedTableOptions resolve(const TableOptions& options)
     ResolvedTableOptions result;
     result.provenance.space = linear_space(target);
     result.provenance.built_in_space = target.built_in;
-    result.provenance.illuminant = spectral::named_illuminant(options.illuminant).name;
+    const spectral::Illuminant illuminant = spectral::named_illuminant(options.illuminant);
+    result.provenance.illuminant = illuminant.name;
     result.provenance.observer = spectral::observer_from_name(options.observer);
+    result.provenance.adaptation = spectral::adaptation_from_name(options.adaptation);
+    refuse_to_adapt(illuminant, result.provenance);
     result.compile.illuminant = result.provenance.illuminant;
     result.compile.observer = result.provenance.observer;
+    result.compile.adaptation = result.provenance.adaptation;
     result.compile.space = target.name;
     if (!target.built_in) result.compile.custom_space = result.provenance.space;
     result.compile.tolerance = options.tolerance;

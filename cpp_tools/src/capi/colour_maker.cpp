@@ -41,8 +41,9 @@ nacre_colour ColourMaker::operator()(const spectral::Sampled& values) const
 nacre_colour ColourMaker::from_xyz(const Vec3& xyz) const
 {
     const Vec3 lab = spectral::xyz_to_lab(xyz, white_);
-    const Vec3 rgb = map_to_gamut(multiply(space_->from_xyz_d65, multiply(to_d65_, xyz)), gamut_,
-                                  space_->to_xyz_d65[1]);
+    const Vec3 rgb = map_to_gamut(
+        multiply(space_->from_xyz_d65, multiply(to_d65_, xyz)), gamut_, space_->to_xyz_d65[1],
+        reflectance_ ? spectral::ColourOf::surface : spectral::ColourOf::light);
     nacre_colour colour{};
     std::copy(xyz.begin(), xyz.end(), colour.XYZ);
     std::copy(lab.begin(), lab.end(), colour.Lab);
@@ -56,7 +57,8 @@ void ColourMaker::set_light(spectral::Illuminant light, spectral::Adaptation how
     spectral::Sampled perfect;
     perfect.fill(1.0);
     white_ = reflectance_to_xyz(perfect, light_, observer_);
-    to_d65_ = spectral::adaptation(how, white_, spectral::d65_white());
+    to_d65_ = spectral::adaptation(how, white_, spectral::d65_white(),
+                                   "; adaptation 'none' takes it as it is");
 }
 
 }  // namespace nacre::capi

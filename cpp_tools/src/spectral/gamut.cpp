@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "nacre/core/diagnostics.h"
 
@@ -18,20 +19,22 @@ Vec3 clipped(const Vec3& rgb, double high) noexcept
             std::clamp(rgb[2], 0.0, high)};
 }
 
-Vec3 desaturated(const Vec3& rgb, const Vec3& luminance) noexcept
+/// @param high  the brightest that a channel may be
+Vec3 desaturated(const Vec3& rgb, const Vec3& luminance, double high) noexcept
 {
     const double y = luminance[0] * rgb[0] + luminance[1] * rgb[1] + luminance[2] * rgb[2];
     if (!(y > 0.0)) return {};
-    if (y >= 1.0) return {1.0, 1.0, 1.0};
-    // Part of the way from the grey (y, y, y) that stays within [0, 1] in every channel.
+    if (y >= high) return {high, high, high};
+    // Part of the way from the grey (y, y, y) that stays within [0, high] in every channel.
     double part = 1.0;
     for (const double value : rgb) {
         if (value < 0.0) part = std::min(part, y / (y - value));
-        if (value > 1.0) part = std::min(part, (1.0 - y) / (value - y));
+        if (value > high) part = std::min(part, (high - y) / (value - y));
     }
+    if (part == 1.0) return rgb;
     Vec3 result{};
     for (std::size_t c = 0; c < 3; ++c) result[c] = y + part * (rgb[c] - y);
-    return clipped(result, 1.0);  // of the last rounding
+    return clipped(result, high);  // of the last rounding
 }
 
 Vec3 scaled(const Vec3& rgb) noexcept
@@ -57,13 +60,16 @@ GamutMapping gamut_mapping_from_name(std::string_view name)
          .message = fmt::format("must be one of keep, clip, desaturate, scale (got '{}')", name)});
 }
 
-Vec3 map_to_gamut(const Vec3& rgb, GamutMapping mapping, const Vec3& luminance) noexcept
+Vec3 map_to_gamut(const Vec3& rgb, GamutMapping mapping, const Vec3& luminance,
+                  ColourOf what) noexcept
 {
     switch (mapping) {
         case GamutMapping::clip:
             return clipped(rgb, 1.0);
         case GamutMapping::desaturate:
-            return desaturated(rgb, luminance);
+            return desaturated(
+                rgb, luminance,
+                what == ColourOf::light ? std::numeric_limits<double>::infinity() : 1.0);
         case GamutMapping::scale:
             return scaled(rgb);
         case GamutMapping::keep:
