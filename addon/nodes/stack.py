@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from functools import lru_cache, partial
 
 import bpy
-import numpy as np
 
 from ..core.library import Library
 from ..core.light import light_problem
@@ -199,8 +198,9 @@ def _media_of(template: str) -> tuple[str, ...]:
     return tuple(sorted(keys - {None, "air", "vacuum"}))
 
 
-def _indices(key: str) -> np.ndarray:
+def _indices(key: str):
     import nacre
+    import numpy as np  # here as wherever texels are made: some distributions' Blender has none
 
     medium = nacre.library.medium(key)
     grid = np.arange(FIRST_NM, LAST_NM + 1.0)

@@ -103,9 +103,9 @@ void write_tables(const fs::path& folder, const Job& job, TableProvenance proven
 {
     for (const lut::Table& table : job.compiled.tables) {
         provenance.stack = stack_of(job.source, table.name);
-        write_atomically(folder / fmt::format("{}_{}.exr", job.compiled.id, table.name),
-                         encode_image(table_image(table), table_attributes(table, provenance),
-                                      encoding(table)));
+        write_atomically(
+            folder / fmt::format("{}_{}.exr", job.compiled.id, table.name),
+            encode_image(table_image(table), table_attributes(table, provenance), encoding(table)));
     }
 }
 

@@ -95,8 +95,8 @@ struct RoughTexels {
     }
 };
 
-/// As texels hold it. What rounding adds to the light that is reflected is taken from what passes, so
-/// that a clear wall keeps all light to half a step.
+/// As texels hold it. What rounding adds to the light that is reflected is taken from what passes,
+/// so that a clear wall keeps all light to half a step.
 /// @param reflected_share  of the light that passes, the albedo of the lobe that reflects
 [[nodiscard]] inline RoughColour rounded(const RoughColour& exact, double reflected_share)
 {

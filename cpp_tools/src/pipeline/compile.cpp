@@ -89,8 +89,8 @@ oslgen::TableInfo table_info(const lut::Table& table, const std::string& id)
             .sides = table.sides};
 }
 
-/// Of smooth tables. What is lost to rounding is 0.002 of ΔE00 on average, a quarter of what their rows
-/// are allowed, and their files are a quarter as large.
+/// Of smooth tables. What is lost to rounding is 0.002 of ΔE00 on average, a quarter of what their
+/// rows are allowed, and their files are a quarter as large.
 constexpr int kTexelBits = 13;
 
 /// R, and what light needs that goes on below the film, smooth and rough.

@@ -116,8 +116,7 @@ TEST(FilmTableError, OfRoundedTexels)
         const Table table = bake_film_tables(asked).reflectance;
         EXPECT_EQ(table.texel_bits, bits);
         for (const float texel : table.texels)
-            ASSERT_EQ(static_cast<double>(texel),
-                      rounded_texel(static_cast<double>(texel), bits));
+            ASSERT_EQ(static_cast<double>(texel), rounded_texel(static_cast<double>(texel), bits));
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,6 +23,13 @@ inline IndexOnGrid constant(std::complex<double> n)
     IndexOnGrid grid;
     grid.fill(n);
     return grid;
+}
+
+/// What a texel may be off by for its rounding.
+inline double half_step(double texel, int bits)
+{
+    const int exponent = std::max(std::ilogb(texel == 0.0 ? 1e-9 : texel), -5);
+    return std::ldexp(0.5, exponent - bits);
 }
 
 inline IndexOnGrid medium(const std::string& key)
