@@ -182,9 +182,10 @@ def test_one_of_several_scenes(scenes):
 
 def test_the_pixel_is_of_the_layer_that_is_rendered(scenes):
     found = []
+    blender = scenes.blender.with_materials("tempered_steel")
     for kind in ("plain", "second_layer", "border"):
-        done = scenes.blender.render(
-            "--blend", scenes.file(kind), "--assign", "Cube=test_film", "--form", "nodes",
+        done = blender.render(
+            "--blend", scenes.file(kind), "--assign", "Cube=tempered_steel", "--form", "nodes",
             "--pixel", "8", "8", "--json",
         )  # fmt: skip
         assert done.returncode == 0, done.stderr
