@@ -312,8 +312,8 @@ RoughTables preview_rough_tables(const FilmTables& smooth, TexelSize size)
 
 RoughTables preview_rough_glass_tables(const FilmTables& smooth, double index, TexelSize size)
 {
-    constexpr std::size_t kStrips = kGlassSides * kRoughSlices;
-    const auto facets = glass_views(index, static_cast<std::size_t>(size.width) / kStrips);
+    constexpr int kStrips = kGlassSides * kRoughSlices;
+    const auto facets = glass_views(index, static_cast<std::size_t>(size.width / kStrips));
     const Facets R(smooth.reflectance, size.height), T(*smooth.transmittance, size.height);
     return rough_tables(smooth, size, kGlassSides, [&](std::size_t y) {
         return [&, y](std::size_t i) {

@@ -84,6 +84,7 @@ Table lobe_table(const std::string& name, const std::vector<optics::GlassFacets>
 std::vector<optics::GlassFacets> flat_facets(double index)
 {
     std::vector<optics::GlassFacets> result;
+    result.reserve(kSmoothLobeTexels);
     for (int i = 0; i < kSmoothLobeTexels; ++i)
         result.push_back(optics::glass_facets(
             {.cos_theta = i / (kSmoothLobeTexels - 1.0), .alpha = 0.0, .index = index}, 2));
@@ -112,7 +113,8 @@ FilmColour glass_colour(const Table& reflectance, const Table& transmittance, st
 std::vector<optics::GlassFacets> all_glass_facets(double index, std::size_t width,
                                                   std::size_t columns)
 {
-    std::vector<optics::GlassFacets> result(kGlassSides * kRoughSlices * width);
+    constexpr std::size_t kStrips = std::size_t{kGlassSides} * std::size_t{kRoughSlices};
+    std::vector<optics::GlassFacets> result(kStrips * width);
     tbb::parallel_for(std::size_t{0}, result.size(), [&](std::size_t i) {
         const std::size_t strip = i / width;
         const double x = static_cast<double>(i % width) / static_cast<double>(width - 1);

@@ -199,8 +199,9 @@ std::string add_slice_positions(Graph& graph, const Context& context, const Tabl
     const std::string row = add_row(graph, table);
     Calculation calculate(graph);
     for (const std::string end : {"low", "high"}) {
-        const std::string u = calculate.number(fmt::format("{}_u_{}", id, end), "ADD",
-                                               {id + "_in.Value", level + end + of_side});
+        const std::string u =
+            calculate.number(fmt::format("{}_u_{}", id, end), "ADD",
+                             {id + "_in.Value", fmt::format("{}{}{}", level, end, of_side)});
         add_position(graph, fmt::format("{}_{}", id, end), u, 0.0, row);
     }
     return id;

@@ -244,14 +244,15 @@ assert material.nacre.layers[0].medium == "SiO2/Malitson"
 # Back to the library.
 assert bpy.ops.nacre.revert_stack() == {"FINISHED"}
 assert not stack.is_edited(material)
-assert np.array_equal(texels(material), library_texels)
+# In another space they were packed with the 15 bits of mantissa that the library's files have.
+assert np.allclose(texels(material), library_texels, rtol=2**-15, atol=0.0)
 
 # The panel's pictures.
 bpy.ops.nacre.edit_stack()
 swatch = module("ui.swatch")
 wanted = stack.recipe(material)
-assert swatch._draw_swatch(wanted, 96).shape == (256, 256, 4)
-assert swatch._draw_spectrum(wanted, 100.0, 30.0).shape == (256, 256, 4)
+assert swatch._draw_swatch("", wanted, 96).shape == (256, 256, 4)
+assert swatch._draw_spectrum("", wanted, 100.0, 30.0).shape == (256, 256, 4)
 extension.unregister()
 extension.register()
 assert material.nacre.layers[0].medium == "abbe 1.47 50"
