@@ -199,8 +199,9 @@ def _media_of(template: str) -> tuple[str, ...]:
 
 
 def _indices(key: str):
-    import nacre
     import numpy as np  # here as wherever texels are made: some distributions' Blender has none
+
+    import nacre
 
     medium = nacre.library.medium(key)
     grid = np.arange(FIRST_NM, LAST_NM + 1.0)

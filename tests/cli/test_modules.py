@@ -56,7 +56,9 @@ def test_numbers_load_neither(nacre, tmp_path, arguments, stdin):
 
 @pytest.mark.parametrize("name", ["cd", "n_bk7"])
 def test_a_material_without_tables_loads_neither(nacre, tmp_path, templates, monkeypatch, name):
-    monkeypatch.delenv("NACRE_PYTHON", raising=False)  # its Cycles tries the shader and has both inside
+    monkeypatch.delenv(
+        "NACRE_PYTHON", raising=False
+    )  # its Cycles tries the shader and has both inside
     arguments = ("compile", templates / f"{name}.toml", "-o", tmp_path / "materials")
     assert loaded(nacre, tmp_path, *arguments) == set()
 

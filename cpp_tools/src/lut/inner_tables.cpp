@@ -74,7 +74,7 @@ void add_scaled(FilmColour& sum, const FilmColour& colour, double weight)
 }
 
 /// Hemispherical means at `count` equal steps of the variation, as shares: what light finds on its
-/// way to and fro has the colour of the light once, in the film's own T.
+/// way back and forth has the colour of the light once, in the film's own T.
 std::vector<FilmColour> means(const FilmTableRequest& from_below, std::size_t count)
 {
     const auto d_line = static_cast<std::size_t>(std::lround(kLineD)) - spectral::kFirstNm;

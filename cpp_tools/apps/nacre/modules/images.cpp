@@ -55,8 +55,7 @@ ImageSpec make_spec(const Image& image, const Attributes& attributes, const Enco
         spec.attribute("oiio:ColorSpace", "raw");
         spec.attribute(kUnassociated, 1);
     } else {
-        spec.attribute("compression",
-                       encoding.compression == Compression::pxr24 ? "pxr24" : "zip");
+        spec.attribute("compression", encoding.compression == Compression::pxr24 ? "pxr24" : "zip");
     }
     if (encoding.container == Container::tx) {
         spec.tile_width = spec.tile_height = kTile;

@@ -15,7 +15,8 @@ namespace nacre::lut {
 /// slice a shader interpolates linearly, between two by slice_share().
 inline constexpr int kRoughSlices = 10;
 
-/// Of the texels of rough tables, see rounded_texel(): a tenth of what they are off by between texels.
+/// Of the texels of rough tables, see rounded_texel(): a tenth of what they are off by between
+/// texels.
 inline constexpr int kRoughTexelBits = 9;
 
 /// Share of slice `low` + 1, the rest being that of slice `low`, in what is read between them at
