@@ -8,6 +8,8 @@ import html
 import json
 import re
 import subprocess
+from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 from nacre_extension.core.catalogues import catalogue_text
@@ -52,6 +54,19 @@ label = {text}
 description = {text}
 default = 0.5
 """
+
+
+_VARIES = "= { default = 300, min = 100, max = 500, varies = true }\n"
+_LAYER = "[[layer]]\nn = 2.0\nthickness_nm = 300\n"
+_BASE = '[ambient]\nmedium = "air"\n' + _LAYER + "[substrate]\nn = 1.5\nk = 3.0\n"
+SHAPES = {
+    "film": lambda text: text,
+    "varies": lambda text: text.replace("= 300\n", _VARIES),
+    "mirror": lambda text: text.replace(_LAYER, ""),
+    "glass": lambda text: text.replace(
+        _BASE, "[glass]\nabbe = { n_d = 1.5, v_d = 64.0 }\n"
+    ).replace("coverage", "roughness"),
+}
 
 
 @pytest.fixture
@@ -102,6 +117,42 @@ def test_the_title_of_a_ramp_is_one_string(tmp_path, write, name):
     assert lines[3] == "LUT_1D_SIZE 4"
     rows = (tmp_path / "a.csv").read_text("utf-8").split("\n")
     assert rows[0] == f"# {TEXTS[name]}"
+
+
+@pytest.mark.parametrize(
+    ("shape", "name"),
+    [
+        *(("film", name) for name in TEXTS),
+        *((shape, "printable") for shape in SHAPES if shape != "film"),
+    ],
+)
+def test_exports_are_whole_and_have_the_name(tmp_path, write, name, shape):
+    """In whatever folder and under whatever name of a file."""
+    text, template = TEXTS[name], write(TEXTS[name])
+    template.write_text(SHAPES[shape](template.read_text("utf-8")), "utf-8")
+    folder = tmp_path / "a&b \"c\" 'd' <e> --f ]]> $g é"
+    folder.mkdir()
+    stem = folder / "x&y -- '<z>' \"$薄"
+    for suffix, command in (("gltf", "gltf"), ("mtlx", "materialx"), ("xml", "mitsuba")):
+        (summary,) = json.loads(
+            nacre("export", command, template, "--json", "-o", f"{stem}.{suffix}")
+        )
+        assert summary["name"] == text
+    document = json.loads(Path(f"{stem}.gltf").read_text("utf-8"))
+    assert document["materials"][0]["extras"]["nacre"]["name"] == text
+    nacre("export", "gltf", template, "-o", f"{stem}.glb")
+    binary = Path(f"{stem}.glb").read_bytes()
+    length = int.from_bytes(binary[12:16], "little")
+    document = json.loads(binary[20 : 20 + length])
+    assert document["materials"][0]["extras"]["nacre"]["name"] == text
+    graph = ElementTree.parse(f"{stem}.mtlx").getroot().find("nodegraph")
+    assert graph.get("doc").startswith(f"{text}: ")
+    scene = ElementTree.parse(f"{stem}.xml").getroot()
+    for root in (graph, scene):
+        for file in root.iterfind(".//*[@type='filename']"):
+            assert (folder / file.get("value")).is_file()
+    for file in scene.iterfind(".//spectrum[@filename]"):
+        assert (folder / file.get("filename")).is_file()
 
 
 def refused(template, *command) -> str:
