@@ -118,10 +118,7 @@ ordered_json evaluate_colour(const json& record, const ColourTarget& target,
     const spectral::ColourWeights weights = reflectance_weights(
         question.illuminant, question.observer, space, spectral::Adaptation::none);
     const optics::StackColour colour = solve(question, weights, choices.sampling);
-    spectral::Sampled perfect;
-    perfect.fill(1.0);
-    const Vec3 white =
-        spectral::reflectance_to_xyz(perfect, question.illuminant, question.observer);
+    const Vec3 white = spectral::white_under(question.illuminant, question.observer);
     const auto to_d65 =
         spectral::adaptation(choices.adaptation, white, spectral::d65_white(), kWithoutCat);
     const auto part = [&](const Vec3& rgb) {

@@ -101,9 +101,7 @@ Vec3 sampled_xyz(const spectral::Sampled& values, const Illuminant& illuminant, 
 Colour reflectance_colour(const spectral::Sampled& reflectance, const Illuminant& illuminant,
                           ObserverId observer, const ColourChoices& choices)
 {
-    spectral::Sampled perfect;
-    perfect.fill(1.0);
-    const Vec3 white = spectral::reflectance_to_xyz(perfect, illuminant, observer);
+    const Vec3 white = spectral::white_under(illuminant, observer);
     const Vec3 xyz = sampled_xyz(reflectance, illuminant, observer, choices.sampling);
     return {.xyz = xyz,
             .xyz_d65 = multiply(

@@ -44,10 +44,7 @@ namespace {
 /// Before anything is computed, and with a word on what to do.
 void refuse_to_adapt(const spectral::Illuminant& illuminant, const TableProvenance& provenance)
 {
-    spectral::Sampled perfect;
-    perfect.fill(1.0);
-    const spectral::Vec3 white =
-        spectral::reflectance_to_xyz(perfect, illuminant, provenance.observer);
+    const spectral::Vec3 white = spectral::white_under(illuminant, provenance.observer);
     (void)spectral::adaptation(provenance.adaptation, white, spectral::d65_white(), kWithoutCat);
 }
 

@@ -54,9 +54,7 @@ nacre_colour ColourMaker::from_xyz(const Vec3& xyz) const
 void ColourMaker::set_light(spectral::Illuminant light, spectral::Adaptation how)
 {
     light_ = std::move(light);
-    spectral::Sampled perfect;
-    perfect.fill(1.0);
-    white_ = reflectance_to_xyz(perfect, light_, observer_);
+    white_ = white_under(light_, observer_);
     to_d65_ = spectral::adaptation(how, white_, spectral::d65_white(),
                                    "; adaptation 'none' takes it as it is");
 }

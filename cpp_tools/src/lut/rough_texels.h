@@ -186,9 +186,9 @@ RoughErrors measure(const Colours& colours, const RoughTexels& texels,
     return all;
 }
 
-template <class Quantity>
-Table make_rough_table(const Table& smooth, const std::string& name, const RoughTexels& texels,
-                       const ErrorStatistics& error, Quantity&& quantity)
+/// Over the axes of a smooth table, `width` by `height` texels in all; none of them is there yet.
+[[nodiscard]] inline Table rough_like(const Table& smooth, const std::string& name, int width,
+                                      int height, int sides)
 {
     Table table{.name = name,
                 .quantity = smooth.quantity,
@@ -196,13 +196,23 @@ Table make_rough_table(const Table& smooth, const std::string& name, const Rough
                 .y = smooth.y,
                 .channels = smooth.channels,
                 .texels = {},
-                .error_max = error.max,
-                .error_mean = error.mean(),
                 .slices = kRoughSlices,
-                .texel_bits = kRoughTexelBits,
-                .sides = static_cast<int>(texels.strips) / kRoughSlices};
-    table.x.texels = static_cast<int>(texels.strips * texels.size.width);
-    table.y.texels = static_cast<int>(texels.size.height);
+                .sides = sides};
+    table.x.texels = width;
+    table.y.texels = height;
+    return table;
+}
+
+template <class Quantity>
+Table make_rough_table(const Table& smooth, const std::string& name, const RoughTexels& texels,
+                       const ErrorStatistics& error, Quantity&& quantity)
+{
+    Table table = rough_like(smooth, name, static_cast<int>(texels.strips * texels.size.width),
+                             static_cast<int>(texels.size.height),
+                             static_cast<int>(texels.strips) / kRoughSlices);
+    table.error_max = error.max;
+    table.error_mean = error.mean();
+    table.texel_bits = kRoughTexelBits;
     table.texels.reserve(3 * texels.values.size());
     for (const RoughColour& colour : texels.values)
         for (const double channel : quantity(colour))

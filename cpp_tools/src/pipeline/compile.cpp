@@ -94,14 +94,14 @@ oslgen::TableInfo table_info(const lut::Table& table, const std::string& id)
 constexpr int kTexelBits = 13;
 
 /// R, and what light needs that goes on below the film, smooth and rough.
-std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request,
-                                    const MaterialTemplate& source)
+/// @param solid  solid_index() of a film on glass
+std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request, material::Interior below,
+                                    std::optional<double> solid)
 {
     lut::FilmTableRequest rounded = request;
     rounded.texel_bits = kTexelBits;
     lut::FilmTables baked = lut::bake_film_tables(rounded);
-    const std::optional<double> index = solid_index(source);
-    lut::RoughTables rough = index ? lut::bake_rough_glass_tables(request, baked, *index)
+    lut::RoughTables rough = solid ? lut::bake_rough_glass_tables(request, baked, *solid)
                                    : lut::bake_rough_tables(request, baked);
     const int height = baked.reflectance.y.texels;
     std::vector<lut::Table> tables{std::move(baked.reflectance), std::move(rough.reflectance)};
@@ -111,7 +111,7 @@ std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request,
     add(rough.further);
     add(baked.transmittance);
     add(rough.transmittance);
-    if (source.interior() == material::Interior::diffuse) {
+    if (below == material::Interior::diffuse) {
         lut::InnerTables inner = lut::bake_inner_tables(request, height);
         tables.push_back(std::move(inner.reflectance));
         tables.push_back(std::move(inner.transmittance));
@@ -135,13 +135,13 @@ auto bake(const MaterialTemplate& source, Bake&& work)
 
 /// Tables of the substrate alone, where coverage fades the film.
 void add_bare_tables(lut::FilmTableRequest request, const MaterialTemplate& source,
-                     std::vector<lut::Table>& tables)
+                     std::optional<double> solid, std::vector<lut::Table>& tables)
 {
     if (source.parameter("coverage") == nullptr) return;
     request.stack.layers.clear();
     request.variation.reset();
     request.progress = nullptr;
-    for (lut::Table& table : film_tables(request, source)) {
+    for (lut::Table& table : film_tables(request, source.interior(), solid)) {
         table.name += "_bare";
         tables.push_back(std::move(table));
     }
@@ -167,21 +167,25 @@ oslgen::SchlickTerms schlick_terms(lut::SchlickFit& fit)
 struct FilmBake {
     std::vector<lut::Table> tables;
     std::optional<oslgen::SchlickTerms> schlick;
+    std::optional<double> solid_index;
 };
 
 FilmBake bake_all(const MaterialTemplate& source, const CompileOptions& options)
 {
     const lut::FilmTableRequest request = film_request(source, options);
     return bake(source, [&] {
-        FilmBake result{.tables = film_tables(request, source), .schlick = {}};
-        if (const std::optional<double> index = solid_index(source)) {
-            add_lobe_tables(*index, result.tables);
+        const std::optional<double> solid = solid_index(source);
+        FilmBake result{.tables = film_tables(request, source.interior(), solid),
+                        .schlick = {},
+                        .solid_index = solid};
+        if (solid) {
+            add_lobe_tables(*solid, result.tables);
         } else {
             lut::SchlickFit fit = lut::fit_schlick(request, result.tables.front());
             result.tables.push_back(std::move(fit.coefficients));
             result.schlick = schlick_terms(fit);
         }
-        add_bare_tables(request, source, result.tables);
+        add_bare_tables(request, source, solid, result.tables);
         return result;
     });
 }
@@ -287,7 +291,7 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
         context.schlick = std::move(baked.schlick);
         for (const lut::Table& table : result.tables)
             context.tables.push_back(table_info(table, source.id));
-        context.solid_index = solid_index(source);
+        context.solid_index = baked.solid_index;
     }
     oslgen::MaterialProgram program = oslgen::generate(context);
     result.osl = std::move(program.osl);

@@ -41,6 +41,13 @@ Vec3 reflectance_to_xyz(const Sampled& reflectance, const Illuminant& illuminant
     return scaled(integrate(reflected, cmf), 1.0 / white);
 }
 
+Vec3 white_under(const Illuminant& illuminant, ObserverId observer_id)
+{
+    Sampled perfect;
+    perfect.fill(1.0);
+    return reflectance_to_xyz(perfect, illuminant, observer_id);
+}
+
 std::array<double, 2> xyz_to_xy(const Vec3& xyz) noexcept
 {
     const double sum = xyz[0] + xyz[1] + xyz[2];
@@ -95,9 +102,7 @@ Mat3 emission_to_d65(ObserverId observer_id)
 ColourWeights reflectance_weights(const Illuminant& illuminant, ObserverId observer_id,
                                   const ColourSpace& space, Adaptation how)
 {
-    Sampled one;
-    one.fill(1.0);
-    const Vec3 white = reflectance_to_xyz(one, illuminant, observer_id);
+    const Vec3 white = white_under(illuminant, observer_id);
     const Mat3 from_xyz = multiply(space.from_xyz_d65, adaptation(how, white, d65_white()));
 
     const Observer& cmf = observer(observer_id);

@@ -26,6 +26,9 @@ namespace nacre::spectral {
 
 [[nodiscard]] std::array<double, 2> xyz_to_xy(const Vec3& xyz) noexcept;
 
+/// XYZ of a perfect white under a light: its Y is 1.
+[[nodiscard]] Vec3 white_under(const Illuminant& illuminant, ObserverId observer);
+
 /// CIE 1976 L*a*b*; `white` is the XYZ of a perfect white.
 [[nodiscard]] Vec3 xyz_to_lab(const Vec3& xyz, const Vec3& white) noexcept;
 
