@@ -392,6 +392,7 @@ def _add_material(job: Job, compiled: CompiledMaterial, requested: str) -> bpy.t
             job.notes.append(f"{compiled.id}: motion blur is on, it carries the wavelengths")
     elif compiled.negative_gamut:
         job.notes.append(f"{compiled.id}: as nodes, colours outside the gamut are clipped")
+    job.notes += [f"{compiled.id}: {note}" for note in compiled.notes]
     job.forms[compiled.id] = form
     return material
 

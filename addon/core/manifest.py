@@ -77,6 +77,7 @@ class CompiledMaterial:
     bytecode: str | None
     digest: str  # of manifest and shader: what makes two node groups the same
     to_xyz_d65: Matrix = REC709  # of the space that its colours are in
+    notes: tuple[str, ...] = ()  # of media that are held where their data end
     directory: Path | None = None
     texels: Mapping[str, Any] = field(default_factory=dict)  # float32 (H, W, 3), row 0 on top
 
@@ -181,6 +182,7 @@ def _material(
     tables = _parse_tables(data["tables"], f"{where}: tables", problems)
     graphs = _parse_graphs(data["graphs"], f"{where}: graphs", sockets, tables, problems)
     to_xyz_d65 = _parse_space(data, where, problems)
+    notes = _parse_notes(data, where, problems)
     if problems:
         raise ManifestError("\n".join(problems))
     canonical = json.dumps(data, sort_keys=True) + osl
@@ -204,6 +206,7 @@ def _material(
         bytecode=bytecode,
         digest=hashlib.sha256(canonical.encode()).hexdigest(),
         to_xyz_d65=to_xyz_d65,
+        notes=notes,
         directory=directory,
         texels=texels,
     )
@@ -221,6 +224,14 @@ def _parse_space(data: dict[str, Any], where: str, problems: list[str]) -> Matri
     except SpaceError as error:
         problems.append(f"{where}: to_xyz_d65: {error} (got {data['to_xyz_d65']!r})")
         return REC709
+
+
+def _parse_notes(data: dict[str, Any], where: str, problems: list[str]) -> tuple[str, ...]:
+    held = data.get("held_ends", [])
+    if _is_list_of_objects(held) and all(isinstance(ends.get("note"), str) for ends in held):
+        return tuple(ends["note"] for ends in held)
+    problems.append(f"{where}: held_ends: must be a list of objects with a note (got {held!r})")
+    return ()
 
 
 def _parse_sockets(

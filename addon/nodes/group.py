@@ -20,7 +20,19 @@ from .script import fill_script_node
 SCHEMA_VERSION = 2
 """Of the custom properties below; they live in saved files. What changed is in schema.py."""
 
-MATERIAL, KIND, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, TEMPLATE_TEXT, RECIPE, WAVELENGTHS = (
+(
+    MATERIAL,
+    KIND,
+    FORM,
+    SCHEMA,
+    DIGEST,
+    SOCKETS,
+    TEMPLATE,
+    TEMPLATE_TEXT,
+    RECIPE,
+    WAVELENGTHS,
+    NOTES,
+) = (
     "nacre_material",
     "nacre_kind",
     "nacre_form",
@@ -31,6 +43,7 @@ MATERIAL, KIND, FORM, SCHEMA, DIGEST, SOCKETS, TEMPLATE, TEMPLATE_TEXT, RECIPE, 
     "nacre_template",
     "nacre_recipe",
     "nacre_wavelength_per_path",
+    "nacre_notes",
 )
 
 _SOCKET_TYPES = {
@@ -96,6 +109,7 @@ def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> No
     group[TEMPLATE] = material.template_sha256
     group[TEMPLATE_TEXT] = material.template
     group[WAVELENGTHS] = material.wavelength_per_path and form == OSL
+    group[NOTES] = "\n".join(material.notes)
     group[SOCKETS] = json.dumps(identifiers_in_order(group, material))
     space.state(group)
 

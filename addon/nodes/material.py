@@ -117,6 +117,12 @@ def describe(material: bpy.types.Material) -> AssignedMaterial:
     )
 
 
+def notes(material: bpy.types.Material) -> list[str]:
+    """What is worth knowing of how the material was compiled, one sentence each."""
+    found = group_node(material).node_tree.get(groups.NOTES)
+    return found.splitlines() if isinstance(found, str) else []
+
+
 def kind(material: bpy.types.Material) -> str:
     """`film`, `grating` or `glass`."""
     node = group_node(material)

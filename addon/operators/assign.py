@@ -101,7 +101,7 @@ def _describe(scene, compiled: CompiledMaterial, form: str, targets: list) -> li
             said.append("Motion blur is on with a shutter of 0: it carries the wavelengths.")
     elif form == NODES and compiled.negative_gamut:
         said.append("As nodes, colours outside the gamut are clipped.")
-    return said
+    return [*said, *(f"{note}." for note in compiled.notes)]
 
 
 def _chosen(context) -> list[bpy.types.Object]:

@@ -4,14 +4,18 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import bpy
 
 from ..core.form import NODES, OSL
 from ..core.problems import find_problems
 from ..nodes import group as groups
 from ..nodes import scene as scene_setup
-from ..nodes.material import describe, group_node, missing_tables
+from ..nodes.material import describe, group_node, missing_tables, notes
 from ..nodes.thickness import ramp_of, sources_of, thickness_socket
+
+_LINE = 44  # letters of a note that fit into a panel of the usual width
 
 
 class _WaveOptics:
@@ -36,6 +40,7 @@ class _WaveOptics:
         layout.prop(context.scene.nacre, "form", text="New Materials As")
         if node is not None:
             _draw_problems(layout, context, material)
+            _draw_notes(layout, material)
             _draw_sockets(layout, material, node)
             _draw_sources(layout, material)
             _draw_form(layout, node)
@@ -66,6 +71,13 @@ def _draw_problems(layout, context, material) -> None:
         box.label(text=problem.text, icon="ERROR")
         if problem.operator:
             box.operator(problem.operator, text=problem.action)
+
+
+def _draw_notes(layout, material) -> None:
+    for note in notes(material):
+        column = layout.box().column(align=True)
+        for index, line in enumerate(textwrap.wrap(note, _LINE, break_on_hyphens=False)):
+            column.label(text=line, icon="BLANK1" if index else "INFO")
 
 
 def _draw_sockets(layout, material, node) -> None:

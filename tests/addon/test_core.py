@@ -94,6 +94,8 @@ def test_manifest_is_read(film, grating):
         (lambda m: m["tables"][1].update(width=0), "must be whole numbers above 0"),
         (lambda m: m.update(to_xyz_d65=[1, 2]), "to_xyz_d65: must be a matrix of 3 x 3 numbers"),
         (lambda m: m.update(space="lin_ap1_scene"), "to_xyz_d65: missing"),
+        (lambda m: m.update(held_ends={}), "held_ends: must be a list of objects with a note"),
+        (lambda m: m.update(held_ends=[{"medium": "X/Y"}]), "held_ends: must be a list of objects"),
         (lambda m: m.update(graphs={"osl": None}), "must have a graph for one of osl, nodes"),
         (lambda m: m["graphs"]["osl"]["links"].append(["x.0", "u.0"]), "no node 'x'"),
         (lambda m: m["graphs"]["osl"]["links"].append(["input.k", "u.0"]), "must name a socket"),
@@ -107,6 +109,13 @@ def test_wrong_manifest_names_the_field(edited, change, message):
     with pytest.raises(ManifestError) as error:
         edited(change)
     assert message in str(error.value)
+
+
+def test_notes_are_those_of_held_media(edited, film):
+    assert film.notes == ()
+    note = "X/Y: n and k are held beyond 400 … 700 nm, 0.04 % of the luminous weight (D65, cie1931)"
+    made = edited(lambda m: m.update(held_ends=[{"medium": "X/Y", "note": note}]))
+    assert made.notes == (note,)
 
 
 def test_all_faults_are_named_at_once(edited):

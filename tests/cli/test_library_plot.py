@@ -69,6 +69,17 @@ def test_swatch_of_a_metal_is_its_reflectance(nacre, tmp_path):
     assert_swatch(plot(nacre, "Au/Johnson", tmp_path / "a.png"), colour["rgb"])
 
 
+def test_swatch_of_a_metal_whose_ends_are_held(nacre, tmp_path):
+    """AuAl2 is known up to 790 nm; what is not known from 400 to 700 nm has no colour."""
+    record = {"n": [1, "AuAl2/Chen"], "d_nm": [], "angle_deg": 0}
+    colour = nacre.evaluate("colour", record, "--sampling", "full")["reflectance"]["rgb"]
+    assert_swatch(plot(nacre, "AuAl2/Chen", tmp_path / "a.png"), colour)
+    table = tmp_path / "short.csv"
+    table.write_text("wavelength_nm,n,k\n401,1,3\n900,1,3\n", encoding="utf-8")
+    nacre.ok("library", "import", table, "--kind", "medium", "--as", "short")
+    assert_swatch(plot(nacre, "short", tmp_path / "b.png"), (1, 1, 1))
+
+
 def test_the_curve_stands_where_the_numbers_are(nacre, tmp_path):
     nacre.ok(
         *("library", "define", "steps", "--kind", "reflectance", "--range", "400:700"),

@@ -11,7 +11,7 @@ import numpy as np
 import OpenImageIO as oiio
 import pytest
 
-from support.images import json_attribute, spec_of
+from support.images import json_attribute, read_all, spec_of
 
 warnings.filterwarnings("ignore", module="colour")
 import colour  # noqa: E402
@@ -379,6 +379,46 @@ def test_bad_input_leaves_nothing(nacre, tmp_path, arguments, message):
     before = set(tmp_path.iterdir())
     assert message in nacre.fails("bake", *arguments, cwd=tmp_path)
     assert set(tmp_path.iterdir()) == before
+
+
+def test_kind_in_place_of_what_is_stated_is_said(nacre, tmp_path):
+    """One note an input, with both kinds; none where --kind only tells what the input does not."""
+    untold, told, out = tmp_path / "a.csv", tmp_path / "b.csv", tmp_path / "t.exr"
+    untold.write_text("wavelength_nm,a,b\n400,0.5,0.4\n700,0.6,0.7\n", encoding="utf-8")
+    told.write_text("# KIND: reflectance\n" + untold.read_text("utf-8"), encoding="utf-8")
+    for kind, said in (("reflectance", 0), ("emission", 1)):
+        result = nacre("bake", "spectra", untold, told, PATCHES[0], "--kind", kind, "-o", out)
+        assert result.returncode == 0, result.stderr
+        for source in (told, PATCHES[0]):
+            words = f"{source}: --kind emission in place of the kind reflectance, which it states\n"
+            assert result.stderr.count(words) == said, result.stderr
+        assert str(untold) not in result.stderr
+        assert json_attribute(read_all(out)[1], "kinds") == [kind] * 5
+    assert nacre("--quiet", "bake", "spectra", told, "--kind", "emission", "-o", out).stderr == ""
+
+    imported = nacre("library", "import", told, "--kind", "emission", "--as", "mine")
+    assert f"{told}: --kind emission in place of the kind reflectance" in imported.stderr
+    assert imported.returncode == 0
+
+
+@pytest.mark.parametrize("command", [("bake", "spectra", "-o", "t.exr"), ("library", "import")])
+def test_values_that_cannot_be_of_the_kind_are_refused(nacre, tmp_path, own_library, command):
+    (tmp_path / "lamp.csv").write_text(
+        "# KIND: emission\nwavelength_nm,value\n400,0.5\n700,90\n", encoding="utf-8"
+    )
+    error = nacre.fails(*command, "lamp.csv", "--kind", "reflectance", cwd=tmp_path)
+    assert "lamp.csv: " in error
+    assert "is stated to be of the kind emission and cannot be of the kind reflectance: " in error
+    assert "a reflectance must be in [0, 2], 1 for all of the light (got 0.5 … 90)" in error
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["lamp.csv"]
+
+
+@pytest.mark.parametrize("light", ["D65", "lamp/hps", "blackbody:3200"])
+def test_a_light_is_no_reflectance(nacre, tmp_path, light):
+    error = nacre.fails("bake", "spectra", light, "--kind", "reflectance", "-o", tmp_path / "t.exr")
+    assert f"{light}: " in error
+    assert "is stated to be of the kind emission and cannot be of the kind reflectance" in error
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize(

@@ -80,7 +80,12 @@ def test_panes_and_empty_arrays():
         (([1, [1.3, 1.4], 1], [1.0]), {}, r"media\[1\]: must be a library key"),
         (([1, -1.3, 1], [1.0]), {}, r"media\[1\]\.n: must be finite and > 0"),
         (([1 + 0.5j, 1.3, 1], [1.0]), {}, r"n\[0\]: must not absorb"),
-        (([1, "TiO2/Devore-o", 1], [1.0]), {}, r"n\[1\]: must be within the data"),
+        (([1, "TiO2/Devore-o", 1], [1.0]), {}, r"media\[1\]: must be within the data"),
+        (
+            ([1, "BaTiO3/Wemple-o", 1], [1.0]),
+            {"strict_range": True},
+            "BaTiO3/Wemple-o: wavelength_nm: must be within the data, 400 … 700 nm",
+        ),
         ((SOAP, [1.0]), {"sampling": "few"}, "sampling: must be adaptive"),
         ((SOAP, [1.0]), {"pol": "x"}, "pol: "),
         ((SOAP, [1.0]), {"coherent": [True, True]}, "coherent: must have 1 flags"),

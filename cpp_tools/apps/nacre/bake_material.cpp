@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bake.h"
+#include "held_ends.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
 #include "nacre/spectral/spectrum_texture.h"
@@ -48,7 +49,8 @@ texels of RGBA:
   514, 515 0
 A .png has intensity and colour divided by nacre:maximum and nacre:colour_maximum. A .csv has columns
 of intensity, n and k for each INPUT.
-Intensity is the reflectance in air at normal incidence, or a spectrum given by --intensity.
+Intensity is the reflectance in air at normal incidence, or a spectrum given by --intensity. Beyond
+their data, which have to cover 400 … 700 nm, n and k are held as they are at the end.
 
   nacre bake material Au/Johnson Cu/Johnson -o metals.exr
   nacre bake material water/Daimon-20C --intensity colorchecker/blue -o water.ftxt)";
@@ -154,17 +156,36 @@ std::vector<std::vector<float>> take_limits(Texture& texture)
 
 struct Materials {
     std::vector<MaterialSpectra> rows;
+    std::vector<spectral::HeldEnds> held;
     std::vector<NamedSpectrum> spectra;  ///< reflectance, n and k of each
     std::vector<std::string> names, references;
 };
 
-Materials read_materials(const Session& session, const MaterialOptions& options,
-                         const spectral::ColourWeights& weights)
+/// n, k and reflectance. @throws InputError that names the input
+MaterialSpectra row_of(const Medium& medium, const std::string& input,
+                       const spectral::ColourWeights& weights, spectral::RangeRule rule)
 {
+    try {
+        return material_spectra(medium, weights, rule);
+    } catch (const InputError& error) {
+        const Diagnostic& problem = error.diagnostics().front();
+        throw InputError({input, 0, problem.field, problem.message});
+    }
+}
+
+Materials read_materials(const Session& session, const MaterialOptions& options,
+                         const ResolvedTableOptions& table)
+{
+    const auto light = spectral::named_illuminant(table.provenance.illuminant);
+    const auto weights =
+        reflectance_weights(light, table.provenance.observer, table.provenance.space,
+                            table.provenance.adaptation);
     Materials all;
     for (std::size_t i = 0; i < options.inputs.size(); ++i) {
         const Medium medium = read_medium(session, options.inputs[i]);
-        MaterialSpectra row = material_spectra(medium, weights);
+        MaterialSpectra row = row_of(medium, options.inputs[i], weights, table.compile.range);
+        if (auto ends = held_ends(medium, light, table.provenance.observer))
+            all.held.push_back(std::move(*ends));
         if (!options.intensities.empty()) {
             row.intensity = texture_samples(read_one(options.intensities[i]));
             row.colour = weights.apply(on_grid(row.intensity));
@@ -193,11 +214,15 @@ bool is_csv(const std::string& output)
 }
 
 /// Columns of the spectra as they are; colours and limits belong to images.
-int write_csv(const MaterialOptions& options, const std::vector<NamedSpectrum>& spectra)
+int write_csv(const MaterialOptions& options, const std::vector<NamedSpectrum>& spectra,
+              const std::vector<spectral::HeldEnds>& held = {})
 {
     if (!options.depth.empty())
         throw InputError({options.output, 0, "--depth", "must not be set for a .csv: it is text"});
-    write_text_output(options.output, spectra_csv(spectra));
+    std::vector<std::string> notes;
+    for (const spectral::HeldEnds& ends : held) notes.push_back(ends.note());
+    write_text_output(options.output,
+                      spectra_csv(spectra, fmt::format("{}", fmt::join(notes, "; "))));
     return kExitOk;
 }
 
@@ -221,11 +246,9 @@ int bake_material(const Session& session, const MaterialOptions& options)
     check_options(options);
     const ResolvedTableOptions light = resolve(options.light);
     const TableProvenance& provenance = light.provenance;
-    Materials materials = read_materials(
-        session, options,
-        reflectance_weights(spectral::named_illuminant(provenance.illuminant), provenance.observer,
-                            provenance.space, provenance.adaptation));
-    if (is_csv(options.output)) return write_csv(options, materials.spectra);
+    Materials materials = read_materials(session, options, light);
+    note_held(session, materials.held);
+    if (is_csv(options.output)) return write_csv(options, materials.spectra, materials.held);
     const Encoding encoding = encoding_for(options.output, options.depth);
     const bool bytes = encoding.depth == Depth::byte;
     Attributes attributes = colour_attributes(texture_attributes("materials"), provenance);
@@ -233,6 +256,7 @@ int bake_material(const Session& session, const MaterialOptions& options)
     attributes["nacre:adaptation"] = spectral::adaptation_name(provenance.adaptation);
     attributes["nacre:names"] = nlohmann::json(materials.names).dump();
     attributes["nacre:references"] = nlohmann::json(materials.references).dump();
+    if (!materials.held.empty()) attributes["nacre:held_ends"] = held_json(materials.held).dump();
     ByteScales scales;
     auto colours = nlohmann::json::array();
     for (std::size_t i = 0; i < materials.rows.size(); ++i) {

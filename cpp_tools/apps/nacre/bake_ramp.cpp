@@ -12,6 +12,7 @@
 
 #include "bake.h"
 #include "bake_ramp.h"
+#include "held_ends.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/version.h"
 #include "nacre/pipeline/compile.h"
@@ -45,6 +46,7 @@ struct Ramp {
     std::string title, name;  ///< of the material; `thickness_nm` or `thickness_scale`
     double min, max, angle_deg;
     std::string quantity, illuminant, observer, adaptation, space;
+    std::vector<spectral::HeldEnds> held;
     std::vector<spectral::Vec3> colours;
 };
 
@@ -58,11 +60,14 @@ void add_rows(std::string& text, const Ramp& ramp, const char* before, const cha
 /// What the file holds, each line after `mark`.
 std::string provenance(const Ramp& ramp, const char* mark)
 {
-    return fmt::format(
+    std::string text = fmt::format(
         "{0} {1} at {2:g} degrees, along {3} {4:g} ... {5:g}\n"
         "{0} illuminant {6}, observer {7}, adaptation {8}, space {9}; Nacre {10}\n",
         mark, ramp.quantity, ramp.angle_deg, ramp.name, ramp.min, ramp.max, ramp.illuminant,
         ramp.observer, ramp.adaptation, ramp.space, version());
+    for (const spectral::HeldEnds& ends : ramp.held)
+        text += fmt::format("{} {}\n", mark, ends.note());
+    return text;
 }
 
 /// The format has no quotes within quotes.
@@ -115,13 +120,15 @@ lut::FilmTableRequest film_request(const material::MaterialTemplate& source,
     return request;
 }
 
-int bake(const BakeOptions& options)
+int bake(const Session& session, const BakeOptions& options)
 {
     const RampFormat format = ramp_format(options.output);
     const material::MaterialTemplate source = read_template_input(options.input);
     const ResolvedTableOptions table = resolve(options.table);
     check_writable(options.output);
-    write_text_output(options.output, ramp_text(source, options.ramp, table, format));
+    const std::string text = ramp_text(source, options.ramp, table, format);
+    note_held(session, held_media(source, table.compile));
+    write_text_output(options.output, text);
     return kExitOk;
 }
 
@@ -151,6 +158,7 @@ std::string ramp_text(const material::MaterialTemplate& source, const RampOption
               .observer = std::string(spectral::observer_name(table.provenance.observer)),
               .adaptation = spectral::adaptation_name(table.provenance.adaptation),
               .space = table.provenance.space.name,
+              .held = held_media(source, table.compile),
               .colours = {}};
     for (const lut::FilmColour& colour : exact_film_ramp(request, cosine, options.size))
         ramp.colours.push_back(options.quantity == "transmittance" ? colour.transmittance
@@ -182,7 +190,9 @@ void add_bake_ramp(CLI::App& bake_command, Session& session)
     ramp->add_option("-o,--output", options->output, ".cube, .spi1d or .csv")->required();
     add_ramp_options(*ramp, options->ramp);
     add_light_options(*ramp, options->table);
-    ramp->callback([&session, options] { session.run = [options] { return bake(*options); }; });
+    ramp->callback([&session, options] {
+        session.run = [&session, options] { return bake(session, *options); };
+    });
 }
 
 }  // namespace nacre::tool

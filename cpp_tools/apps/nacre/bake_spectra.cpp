@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include <fmt/format.h>
@@ -49,22 +50,23 @@ which nacre:maximum gives. nacre info FILE --spectra back.csv reads all of them 
   nacre bake spectra my_chart.cgats --columns 6 --layout image --kind reflectance -o chart.exr
   nacre bake spectra skin.exr -o skin.csv)";
 
-std::vector<NamedSpectrum> read_inputs(const SpectraOptions& options)
+std::vector<NamedSpectrum> read_inputs(const Session& session, const SpectraOptions& options)
 {
     const spectral::ReadAs said = read_as(options.kind, options.scale);
     std::vector<NamedSpectrum> spectra;
+    std::vector<std::string> notes;
     DiagnosticList problems;
     for (const std::string& input : options.inputs) {
         try {
-            for (NamedSpectrum& spectrum : read_spectra_input(input, said)) {
-                if (said.kind) spectrum.kind = said.kind;
-                spectra.push_back(std::move(spectrum));
-            }
+            auto read = read_spectra_input(input, said);
+            if (auto note = override_note(input, read)) notes.push_back(std::move(*note));
+            std::ranges::move(read, std::back_inserter(spectra));
         } catch (const InputError& error) {
             for (const Diagnostic& problem : error.diagnostics()) problems.add(problem);
         }
     }
     problems.throw_if_any();
+    for (const std::string& note : notes) session.note(note);
     return spectra;
 }
 
@@ -188,7 +190,7 @@ int bake(const Session& session, const SpectraOptions& options)
                           0,
                           "--columns",
                           fmt::format("must be a whole number ≥ 1 (got {})", options.columns)});
-    const std::vector<NamedSpectrum> spectra = read_inputs(options);
+    const std::vector<NamedSpectrum> spectra = read_inputs(session, options);
     if (std::filesystem::path(options.output).extension() == ".csv")
         write_text_output(options.output, spectra_csv(spectra));
     else if (options.layout == "image")
@@ -220,7 +222,11 @@ void add_bake_spectra(CLI::App& bake_command, Session& session)
     spectra->add_option("--maximum", options->maximum, "what bytes are divided by")
         ->check(CLI::IsMember({"spectrum", "global"}))
         ->capture_default_str();
-    spectra->add_option("--kind", options->kind, "of all, where a file does not tell")
+    spectra
+        ->add_option(
+            "--kind", options->kind,
+            "of all; where one is stated to be of the other kind, a note says so, and values that "
+            "cannot be of this one are refused")
         ->check(CLI::IsMember({"emission", "reflectance"}));
     spectra->add_option("--scale", options->scale, kScaleHelp);
     spectra->callback([&session, options] {

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 
 #include "bake.h"
+#include "held_ends.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/pipeline/compile.h"
 #include "output.h"
@@ -50,11 +51,13 @@ int bake(const Session& session, const StackOptions& options)
 
     const ResolvedTableOptions resolved = resolve(options.colour);
     const lut::FilmTableRequest request = pipeline::film_request(source, resolved.compile);
+    TableProvenance provenance = resolved.provenance;
+    provenance.stack = stack_json(source);
+    provenance.held = held_media(source, resolved.compile);
+    note_held(session, provenance.held);
     check_writable(options.output);
     const lut::Table table = bake_stack_table(session, request, options.table, encoding.depth,
                                               resolved.provenance.space);
-    TableProvenance provenance = resolved.provenance;
-    provenance.stack = stack_json(source);
     write_text_output(options.output, encode_image(table_image(table),
                                                    table_attributes(table, provenance), encoding));
     session.detail(fmt::format("{}: {} x {} texels, ΔE00 max {:.3g}, mean {:.3g}", options.output,

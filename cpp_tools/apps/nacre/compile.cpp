@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "compile.h"
+#include "held_ends.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
 #include "output.h"
@@ -80,15 +81,17 @@ std::vector<Job> compile_all(std::vector<material::MaterialTemplate> sources,
     return jobs;
 }
 
-/// The stack behind one table: without the film for the tables of the bare substrate.
-std::string stack_of(const material::MaterialTemplate& source, const std::string& table)
+/// What is behind one table: without the film for the tables of the bare substrate.
+material::MaterialTemplate template_of(const material::MaterialTemplate& source,
+                                       const std::string& table)
 {
-    if (!table.ends_with("_bare")) return stack_json(source);
-    material::MaterialTemplate bare = source;
-    auto& stack = std::get<material::StackSpec>(bare.kind);
-    stack.layers.clear();
-    stack.scale.reset();
-    return stack_json(bare);
+    material::MaterialTemplate result = source;
+    if (table.ends_with("_bare")) {
+        auto& stack = std::get<material::StackSpec>(result.kind);
+        stack.layers.clear();
+        stack.scale.reset();
+    }
+    return result;
 }
 
 /// The smallest file that holds the texels as they are.
@@ -99,10 +102,13 @@ Encoding encoding(const lut::Table& table)
             table.texel_bits <= kPxr24Bits ? Compression::pxr24 : Compression::zip};
 }
 
-void write_tables(const fs::path& folder, const Job& job, TableProvenance provenance)
+void write_tables(const fs::path& folder, const Job& job, const ResolvedTableOptions& options)
 {
+    TableProvenance provenance = options.provenance;
     for (const lut::Table& table : job.compiled.tables) {
-        provenance.stack = stack_of(job.source, table.name);
+        const material::MaterialTemplate source = template_of(job.source, table.name);
+        provenance.stack = stack_json(source);
+        provenance.held = held_media(source, options.compile);
         write_atomically(
             folder / fmt::format("{}_{}.exr", job.compiled.id, table.name),
             encode_image(table_image(table), table_attributes(table, provenance), encoding(table)));
@@ -133,8 +139,10 @@ ordered_json summary(const Job& job, const fs::path& folder)
 int compile_command(const Session& session, const CompileRequest& request)
 {
     ordered_json list = ordered_json::array();
-    for (const CompiledFolder& folder : compile_templates(session, request))
+    for (const CompiledFolder& folder : compile_templates(session, request)) {
+        note_held(session, folder.held);
         list.push_back(folder.summary);
+    }
     if (session.json) write_text_output("", list.dump(2) + "\n");
     return kExitOk;
 }
@@ -162,7 +170,7 @@ std::vector<CompiledFolder> compile_templates(const Session& session, const Comp
         const fs::path& folder = staged.emplace_back(output / id).path();
         write_atomically(folder / (id + ".osl"), job.compiled.osl);
         write_atomically(folder / (id + ".json"), job.compiled.manifest);
-        write_tables(folder, job, resolved.provenance);
+        write_tables(folder, job, resolved);
         check_interrupted();
         if (shader_compiler) shader_compiler->compile(folder, id);
         check_interrupted();
@@ -171,7 +179,8 @@ std::vector<CompiledFolder> compile_templates(const Session& session, const Comp
     for (std::size_t i = 0; i < jobs.size(); ++i) {
         staged[i].commit();
         const fs::path folder = output / jobs[i].compiled.id;
-        result.push_back({jobs[i].compiled.id, folder, summary(jobs[i], folder)});
+        result.push_back({jobs[i].compiled.id, folder, held_media(jobs[i].source, resolved.compile),
+                          summary(jobs[i], folder)});
         session.detail(fmt::format("wrote {}", folder.string()));
     }
     return result;

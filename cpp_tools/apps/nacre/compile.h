@@ -20,6 +20,7 @@ struct Session;
 struct CompiledFolder {
     std::string id;
     std::filesystem::path folder;
+    std::vector<spectral::HeldEnds> held;
     ordered_json summary;
 };
 

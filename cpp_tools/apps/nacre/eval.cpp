@@ -4,12 +4,14 @@
 
 #include <cstdio>
 #include <memory>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <tbb/parallel_for.h>
 #include <CLI/CLI.hpp>
 
+#include "held_ends.h"
 #include "output.h"
 #include "session.h"
 
@@ -20,6 +22,7 @@ struct EvalOptions {
     std::string input = "-", output;
     ColourTargetOptions colour;
     std::string adaptation = "bradford", gamut = "keep", range = "none", sampling = "adaptive";
+    bool strict_range = false;
 };
 
 constexpr const char* kStackHelp = R"(
@@ -93,7 +96,9 @@ record  {"n": ["air", "water/Daimon-20C", 1], "d_nm": [400], "angle_deg": 30, "p
   the rest       optional: pol s, p or u (default u); coherence as for `nacre eval stack`;
                  illuminant and observer as for `nacre eval spectrum`
 result  {"reflectance": {"XYZ": […], "Lab": […], "rgb": […]}, "transmittance": {…}, "space": "…",
-         "wavelengths": 11}; wavelengths: at how many the stack was computed
+         "wavelengths": 11}; wavelengths: at how many the stack was computed. "held_ends" lists
+         media whose data end within 360 … 830 nm and that are held there, with their share of the
+         luminous weight
 
 --sampling adaptive takes as many wavelengths as amplitudes need to be interpolated, loses no line
 however narrow, and is within 0.001 of `reference`, every 0.05 nm. `full` is every nanometre; steps:N
@@ -190,6 +195,16 @@ std::string batch_text(const std::vector<ordered_json>& records)
     return text + "\n]\n";
 }
 
+/// Each note once, however many records have it.
+void note_held(const Session& session, const std::vector<ordered_json>& records)
+{
+    std::set<std::string> said;
+    for (const ordered_json& record : records)
+        for (const ordered_json& ends : record.value("held_ends", ordered_json::array()))
+            if (const auto note = ends["note"].get<std::string>(); said.insert(note).second)
+                session.note(note);
+}
+
 /// --range, over the rgb of all records that have one.
 void map_range(std::vector<ordered_json>& records, const std::string& range)
 {
@@ -243,6 +258,7 @@ int evaluate_file(const Session& session, const EvalOptions& options,
     if (options.range != "none") map_range(answers.records, options.range);
     write_text_output(options.output, is_batch ? batch_text(answers.records)
                                                : answers.records.front().dump() + "\n");
+    note_held(session, answers.records);
     report(session, options.input, document, answers);
     const auto failed = [](const auto& error) { return error != nullptr; };
     return std::any_of(answers.errors.begin(), answers.errors.end(), failed) ? kExitInputError
@@ -264,7 +280,8 @@ ColourChoices resolve_choices(const EvalOptions& options, const ColourTarget& ta
 {
     ColourChoices choices{.adaptation = spectral::adaptation_from_name(options.adaptation),
                           .gamut = spectral::gamut_mapping_from_name(options.gamut),
-                          .sampling = options.sampling};
+                          .sampling = options.sampling,
+                          .range = range_rule(options.strict_range)};
     // So that a wrong name is one error, not one for each record.
     (void)named_quadrature(choices.sampling, spectral::ColourWeights{});
     if (choices.gamut == spectral::GamutMapping::desaturate) (void)linear_space(target);
@@ -351,9 +368,10 @@ A record, or an array of records, comes from a file or the standard input; -o FI
     add_colours(*add_kind(*eval, "spectrum", "colour and colour temperature of a spectrum",
                           kSpectrumHelp, options),
                 session, options, evaluate_spectrum);
-    add_colours(
-        *add_kind(*eval, "colour", "colour of a multilayer at one angle", kColourHelp, options),
-        session, options, evaluate_colour);
+    CLI::App* colour =
+        add_kind(*eval, "colour", "colour of a multilayer at one angle", kColourHelp, options);
+    add_colours(*colour, session, options, evaluate_colour);
+    add_strict_range(*colour, options->strict_range);
 }
 
 }  // namespace nacre::tool

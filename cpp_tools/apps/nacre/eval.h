@@ -12,6 +12,7 @@
 #include "nacre/optics/fresnel.h"
 #include "nacre/spectral/colour_quadrature.h"
 #include "nacre/spectral/gamut.h"
+#include "nacre/spectral/working_range.h"
 
 /// @file
 /// The records of `nacre eval`: one JSON object in, one out.
@@ -50,7 +51,8 @@ using RecordEvaluator = std::function<ordered_json(const json& record)>;
 struct ColourChoices {
     spectral::Adaptation adaptation = spectral::Adaptation::bradford;
     spectral::GamutMapping gamut = spectral::GamutMapping::keep;
-    std::string sampling = "adaptive";  ///< see spectral::named_quadrature
+    std::string sampling = "adaptive";                           ///< see spectral::named_quadrature
+    spectral::RangeRule range = spectral::RangeRule::hold_ends;  ///< of media
 };
 /// From XYZ that is adapted to D65.
 [[nodiscard]] spectral::Vec3 rgb_of(const spectral::Vec3& xyz_d65, const ColourTarget& target,

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "eval.h"
+#include "held_ends.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/optics/stack_colour.h"
 #include "nacre/spectral/colour.h"
-#include "nacre/spectral/optical_constants.h"
 
 namespace nacre::tool {
 namespace {
@@ -19,17 +20,18 @@ using spectral::Vec3;
 
 /// A key of the library, n, or [n, k]; null where it is wrong.
 OpticalConstantsPtr read_medium(const json& value, const std::string& field,
-                                DiagnosticList& problems)
+                                spectral::WorkingRange& range, DiagnosticList& problems)
 {
     try {
         if (value.is_string())
-            return spectral::library_medium(value.get_ref<const std::string&>()).constants;
+            return range.cover(
+                spectral::library_medium(value.get_ref<const std::string&>()).constants);
     } catch (const InputError& error) {
         for (const Diagnostic& problem : error.diagnostics())
             problems.add({"", 0, field, problem.message});
         return nullptr;
     }
-    if (value.is_number()) return read_medium(json::array({value, 0.0}), field, problems);
+    if (value.is_number()) return read_medium(json::array({value, 0.0}), field, range, problems);
     if (!value.is_array() || value.size() != 2) {
         problems.add(
             {"", 0, field,
@@ -41,7 +43,8 @@ OpticalConstantsPtr read_medium(const json& value, const std::string& field,
     return n && k ? spectral::constant_index({*n, *k}) : nullptr;
 }
 
-std::vector<OpticalConstantsPtr> read_media(ObjectReader& reader, DiagnosticList& problems)
+std::vector<OpticalConstantsPtr> read_media(ObjectReader& reader, spectral::RangeRule rule,
+                                            DiagnosticList& problems)
 {
     const json* list = reader.required("n");
     if (!list) return {};
@@ -53,10 +56,11 @@ std::vector<OpticalConstantsPtr> read_media(ObjectReader& reader, DiagnosticList
                              list->is_array() ? fmt::format("{}", list->size()) : quoted(*list)));
         return {};
     }
+    spectral::WorkingRange range(rule);
     std::vector<OpticalConstantsPtr> media;
     media.reserve(list->size());
     for (std::size_t i = 0; i < list->size(); ++i)
-        media.push_back(read_medium((*list)[i], fmt::format("n[{}]", i), problems));
+        media.push_back(read_medium((*list)[i], fmt::format("n[{}]", i), range, problems));
     return media;
 }
 
@@ -68,12 +72,12 @@ struct ColourQuestion {
     spectral::ObserverId observer{};
 };
 
-ColourQuestion read_question(const json& record)
+ColourQuestion read_question(const json& record, spectral::RangeRule rule)
 {
     DiagnosticList problems;
     ObjectReader reader(record, "", problems);
     ColourQuestion question;
-    question.stack.media = read_media(reader, problems);
+    question.stack.media = read_media(reader, rule, problems);
     const std::size_t layers = question.stack.media.empty() ? 0 : question.stack.media.size() - 2;
     const auto thickness = reader.numbers("d_nm", kNotNegative);
     if (!question.stack.media.empty() && thickness && thickness->size() != layers)
@@ -107,12 +111,26 @@ optics::StackColour solve(const ColourQuestion& question, const spectral::Colour
         .at(question.thickness_nm, question.light);
 }
 
+/// Of the media that the record names, each once.
+std::vector<spectral::HeldEnds> held_media(const json& record, const ColourQuestion& question)
+{
+    std::set<std::string> known;
+    std::vector<spectral::HeldEnds> held;
+    for (const json& medium : record["n"]) {
+        if (!medium.is_string() || !known.insert(medium.get<std::string>()).second) continue;
+        if (auto ends = held_ends(spectral::library_medium(medium.get<std::string>()),
+                                  question.illuminant, question.observer))
+            held.push_back(std::move(*ends));
+    }
+    return held;
+}
+
 }  // namespace
 
 ordered_json evaluate_colour(const json& record, const ColourTarget& target,
                              const ColourChoices& choices)
 {
-    const ColourQuestion question = read_question(record);
+    const ColourQuestion question = read_question(record, choices.range);
     // Errors count in a space like that of a screen; XYZ, without adaptation, is a matrix away.
     const spectral::ColourSpace& space = spectral::colour_space("lin_rec709_scene");
     const spectral::ColourWeights weights = reflectance_weights(
@@ -128,10 +146,13 @@ ordered_json evaluate_colour(const json& record, const ColourTarget& target,
             {"Lab", spectral::xyz_to_lab(xyz, white)},
             {"rgb", rgb_of(multiply(to_d65, xyz), target, choices, spectral::ColourOf::surface)}};
     };
-    return {{"reflectance", part(colour.reflectance)},
-            {"transmittance", part(colour.transmittance)},
-            {"space", target.name},
-            {"wavelengths", colour.evaluations}};
+    ordered_json result = {{"reflectance", part(colour.reflectance)},
+                           {"transmittance", part(colour.transmittance)},
+                           {"space", target.name},
+                           {"wavelengths", colour.evaluations}};
+    if (const auto held = held_media(record, question); !held.empty())
+        result["held_ends"] = held_json(held);
+    return result;
 }
 
 }  // namespace nacre::tool

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "held_ends.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
 #include "nacre/core/resources.h"
@@ -152,6 +153,7 @@ ExportedMaterial prepared(MaterialTemplate source, const ResolvedTableOptions& t
     ExportedMaterial result;
     result.film = bare_surface(source);
     result.request = pipeline::film_request(result.film, table.compile);
+    result.held = held_media(result.film, table.compile);
     result.value = default_value(result.film);
     const auto* roughness = source.parameter("roughness");
     result.roughness = roughness ? roughness->value : source.surface.roughness;
@@ -191,7 +193,8 @@ bool ExportedMaterial::is_glass() const
     return std::holds_alternative<material::GlassSpec>(source.kind);
 }
 
-std::vector<ExportedMaterial> exported_materials(const ExportOptions& options,
+std::vector<ExportedMaterial> exported_materials(const Session& session,
+                                                 const ExportOptions& options,
                                                  const ResolvedTableOptions& table,
                                                  const char* format)
 {
@@ -210,6 +213,7 @@ std::vector<ExportedMaterial> exported_materials(const ExportOptions& options,
             assign(materials.back(), text, problems);
     }
     problems.throw_if_any();
+    for (const ExportedMaterial& material : materials) note_held(session, material.held);
     return materials;
 }
 
@@ -246,6 +250,13 @@ double relative_index(const ExportedMaterial& material)
     return index_at(stack.substrate, kLineD).real() / index_at(stack.ambient, kLineD).real();
 }
 
+TableProvenance table_provenance(const ExportedMaterial& material, TableProvenance provenance)
+{
+    provenance.stack = stack_json(material.film);
+    provenance.held = material.held;
+    return provenance;
+}
+
 lut::FilmTableRequest rec709_request(const ExportedMaterial& material,
                                      const TableProvenance& provenance)
 {
@@ -271,6 +282,7 @@ ordered_json provenance_json(const ExportedMaterial& material, const TableProven
     result["observer"] = spectral::observer_name(provenance.observer);
     result["adaptation"] = spectral::adaptation_name(provenance.adaptation);
     result["space"] = provenance.space.name;
+    if (!material.held.empty()) result["held_ends"] = held_json(material.held);
     return result;
 }
 

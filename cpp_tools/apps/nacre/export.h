@@ -45,7 +45,8 @@ struct ExportedMaterial {
     /// `source`, or for a glass its bare surface as a film without layers.
     material::MaterialTemplate film;
     lut::FilmTableRequest request;  ///< of `film`; what varies keeps its range
-    double value = 0.0;             ///< of what varies, nm or a factor
+    std::vector<spectral::HeldEnds> held;
+    double value = 0.0;  ///< of what varies, nm or a factor
     double roughness = 0.0;
 
     /// `thickness_nm`, `thickness_scale`, or empty where nothing varies.
@@ -53,9 +54,11 @@ struct ExportedMaterial {
     [[nodiscard]] bool is_glass() const;
 };
 
-/// Reads, looks up media and applies --set. @param format  for the message that refuses gratings
+/// Reads, looks up media, with a note where they are held, and applies --set.
+/// @param format  for the message that refuses gratings
 /// @throws InputError with the problems of every material
-[[nodiscard]] std::vector<ExportedMaterial> exported_materials(const ExportOptions& options,
+[[nodiscard]] std::vector<ExportedMaterial> exported_materials(const Session& session,
+                                                               const ExportOptions& options,
                                                                const ResolvedTableOptions& table,
                                                                const char* format);
 
@@ -73,11 +76,15 @@ inline constexpr double kLineF = 486.1327, kLineD = 587.5618, kLineC = 656.2725;
 /// Of the substrate relative to the ambient, at the d line.
 [[nodiscard]] double relative_index(const ExportedMaterial& material);
 
+/// Of the tables of a material.
+[[nodiscard]] TableProvenance table_provenance(const ExportedMaterial& material,
+                                               TableProvenance provenance);
+
 /// The same film with its colours in linear Rec.709, which renderers without a choice work in.
 [[nodiscard]] lut::FilmTableRequest rec709_request(const ExportedMaterial& material,
                                                    const TableProvenance& provenance);
 
-/// Id, source, status, values and light of a material, as every format carries them.
+/// Id, source, status, values, light and media with held ends, as every format carries them.
 [[nodiscard]] ordered_json provenance_json(const ExportedMaterial& material,
                                            const TableProvenance& provenance);
 

@@ -246,7 +246,8 @@ int export_gltf(const Session& session, const GltfOptions& options)
 {
     const GltfContainer container = container_of(options.output);
     const ResolvedTableOptions table = resolve(options.table);
-    const std::vector<ExportedMaterial> materials = exported_materials(options, table, "glTF");
+    const std::vector<ExportedMaterial> materials =
+        exported_materials(session, options, table, "glTF");
     check_writable(options.output);
     ordered_json list = ordered_json::array(), summary = ordered_json::array();
     std::vector<std::string> lines;

@@ -61,17 +61,19 @@ struct Document {
 
 std::string words_of(const ExportedMaterial& material, const std::string& error)
 {
-    return fmt::format("{}: {}. {} Source: {} ({}).", material.source.name,
-                       material.source.description, error, material.source.source,
-                       material::status_name(material.source.status));
+    std::string words = fmt::format("{}: {}. {} Source: {} ({}).", material.source.name,
+                                    material.source.description, error, material.source.source,
+                                    material::status_name(material.source.status));
+    for (const spectral::HeldEnds& ends : material.held) words += fmt::format(" {}.", ends.note());
+    return words;
 }
 
 void add_table(Document& document, const ExportedMaterial& material, const lut::Table& table,
-               TableProvenance provenance)
+               const TableProvenance& provenance)
 {
-    provenance.stack = stack_json(material.film);
     document.files.add(document.folder / fmt::format("{}_{}.exr", material.source.id, table.name),
-                       encode_image(table_image(table), table_attributes(table, provenance),
+                       encode_image(table_image(table),
+                                    table_attributes(table, table_provenance(material, provenance)),
                                     {Container::exr, Depth::floating}));
 }
 
@@ -364,7 +366,7 @@ int export_materialx(const Session& session, const ExportOptions& options)
         throw InputError({options.output, 0, "-o", "must end in .mtlx"});
     const ResolvedTableOptions table = resolve(options.table);
     const std::vector<ExportedMaterial> materials =
-        exported_materials(options, table, "a MaterialX closure");
+        exported_materials(session, options, table, "a MaterialX closure");
     check_writable(options.output);
     Document document;
     document.folder = output.parent_path();

@@ -218,12 +218,14 @@ void add_film(Scene& scene, const ExportedMaterial& material, const ResolvedTabl
 }
 
 /// `.spd` of one part of a metal's index, a line a wavelength.
-std::string spd_text(const lut::IndexOnGrid& medium, double (*part)(const std::complex<double>&))
+std::string spd_text(const ExportedMaterial& material, double (*part)(const std::complex<double>&))
 {
     std::string text;
+    for (const spectral::HeldEnds& ends : material.held) text += fmt::format("# {}\n", ends.note());
+    const lut::IndexOnGrid& metal = material.request.stack.substrate;
     for (std::size_t w = 0; w < spectral::kWavelengths; ++w)
         fmt::format_to(std::back_inserter(text), "{:g} {:.9g}\n", spectral::wavelength_nm(w),
-                       part(medium[w]));
+                       part(metal[w]));
     return text;
 }
 
@@ -231,13 +233,12 @@ void add_metal(Scene& scene, const ExportedMaterial& material)
 {
     const bool rough = material.roughness > 0.0;
     pugi::xml_node bsdf = add_bsdf(scene, material, rough ? "roughconductor" : "conductor");
-    const lut::IndexOnGrid& metal = material.request.stack.substrate;
     const auto add = [&](const char* name, const char* suffix,
                          double (*part)(const std::complex<double>&)) {
         pugi::xml_node spectrum = bsdf.append_child("spectrum");
         spectrum.append_attribute("name") = name;
         spectrum.append_attribute("filename") =
-            scene.add_file(material.source.id + suffix, spd_text(metal, part)).c_str();
+            scene.add_file(material.source.id + suffix, spd_text(material, part)).c_str();
     };
     add("eta", "_eta.spd", [](const auto& n) { return n.real(); });
     add("k", "_k.spd", [](const auto& n) { return n.imag(); });
@@ -292,7 +293,7 @@ int export_mitsuba(const Session& session, const ExportOptions& options)
         throw InputError({options.output, 0, "-o", "must end in .xml"});
     const ResolvedTableOptions table = resolve(options.table);
     const std::vector<ExportedMaterial> materials =
-        exported_materials(options, table, "a BSDF of Mitsuba");
+        exported_materials(session, options, table, "a BSDF of Mitsuba");
     check_writable(options.output);
     Scene scene;
     scene.folder = output.parent_path();

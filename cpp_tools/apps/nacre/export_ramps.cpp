@@ -30,7 +30,8 @@ int export_ramp(const Session& session, const RampExport& options, RampFormat fo
     if (ramp_format(options.output) != format)
         throw InputError({options.output, 0, "-o", fmt::format("must end in .{}", name)});
     const ResolvedTableOptions table = resolve(options.table);
-    const ExportedMaterial material = one_material(exported_materials(options, table, "a ramp"));
+    const ExportedMaterial material =
+        one_material(exported_materials(session, options, table, "a ramp"));
     check_writable(options.output);
     write_text_output(options.output, ramp_text(material.source, options.ramp, table, format));
     ordered_json summary = provenance_json(material, table.provenance);

@@ -36,14 +36,11 @@ is RGBA16F. --csv adds FILE.csv, a row a texel.
   nacre export table my_film.toml --quantity transmittance --csv -o my_film_T.exr)";
 
 /// What the values of the media rest on: one entry a medium of the library.
-ordered_json citations(const material::StackSpec& stack)
+ordered_json citations(const material::MaterialTemplate& film)
 {
-    std::vector<const material::MediumSpec*> media{&stack.ambient};
-    for (const material::LayerSpec& layer : stack.layers) media.push_back(&layer.medium);
-    media.push_back(&stack.substrate);
     std::set<std::string> seen;
     ordered_json result = ordered_json::array();
-    for (const material::MediumSpec* medium : media) {
+    for (const material::MediumSpec* medium : film.media()) {
         const auto* entry = std::get_if<material::LibraryMedium>(&medium->value);
         if (!entry || !seen.insert(entry->key).second) continue;
         const std::string& references = spectral::library_medium(entry->key).references;
@@ -78,7 +75,7 @@ ordered_json sidecar(const ExportedMaterial& material, const lut::Table& table,
          {"encoding", "linear"},
          {"stack", ordered_json::parse(stack_json(material.film))},
          {"error", {{"max", table.error_max}, {"mean", table.error_mean}, {"unit", "dE00"}}},
-         {"citations", citations(std::get<material::StackSpec>(material.film.kind))}});
+         {"citations", citations(material.film)}});
     return result;
 }
 
@@ -119,7 +116,7 @@ int export_table(const Session& session, const TableExport& options)
         throw InputError({options.output, 0, "--alpha", "goes with .exr and .tx only"});
     const ResolvedTableOptions resolved = resolve(options.table);
     const ExportedMaterial material =
-        one_material(exported_materials(options, resolved, "a table"));
+        one_material(exported_materials(session, options, resolved, "a table"));
     if (material.is_glass())
         throw InputError({material.source.file, 0, "glass",
                           "has no table; export it as gltf, "
@@ -127,8 +124,7 @@ int export_table(const Session& session, const TableExport& options)
     check_writable(options.output);
     const lut::Table table = bake_stack_table(session, material.request, options.stack,
                                               encoding.depth, resolved.provenance.space);
-    TableProvenance provenance = resolved.provenance;
-    provenance.stack = stack_json(material.film);
+    const TableProvenance provenance = table_provenance(material, resolved.provenance);
     const ordered_json description = sidecar(material, table, options, provenance);
     OutputFiles files;
     if (options.csv) files.add(fs::path(options.output).replace_extension(".csv"), csv_of(table));

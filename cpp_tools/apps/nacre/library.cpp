@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "held_ends.h"
 #include "library.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
@@ -23,24 +24,33 @@ using nlohmann::ordered_json;
 
 struct CheckOptions {
     std::vector<std::string> files;
+    bool strict_range = false;
+};
+
+/// What is put right when a file is read, and media that are held.
+struct Findings {
+    std::vector<std::string> changes;
+    std::vector<spectral::HeldEnds> held;
 };
 
 /// @throws InputError with what is wrong with a file of optical constants or a template
-/// @return what is put right when it is read
-std::vector<std::string> check_file(const std::string& file)
+Findings check_file(const std::string& file, bool strict_range)
 {
     const std::string extension = std::filesystem::path(file).extension().string();
     if (extension == ".yml" || extension == ".yaml") {
-        return spectral::parse_refractiveindex_yaml(read_text(file), file).changes;
+        return {spectral::parse_refractiveindex_yaml(read_text(file), file).changes, {}};
     } else if (extension == ".csv") {
         (void)spectral::read_library_spectrum(read_text(file), file);
     } else if (extension == ".toml" || extension == ".json") {
         const material::MaterialTemplate source = read_template_input(file);
+        pipeline::CompileOptions options;
+        options.range = range_rule(strict_range);
         // Looks up the media; only gratings and glasses are quick enough to compile for it.
         if (std::holds_alternative<material::StackSpec>(source.kind))
-            (void)pipeline::film_request(source, {});
+            (void)pipeline::film_request(source, options);
         else
-            (void)pipeline::compile(source, {});
+            (void)pipeline::compile(source, options);
+        return {{}, held_media(source, options)};
     } else {
         throw InputError(
             {file, 0, "",
@@ -54,8 +64,10 @@ int check_files(const Session& session, const CheckOptions& options)
     DiagnosticList problems;
     for (const std::string& file : options.files) {
         try {
-            for (const std::string& change : check_file(file))
+            const Findings found = check_file(file, options.strict_range);
+            for (const std::string& change : found.changes)
                 session.note(fmt::format("{}: changed: {}", file, change));
+            note_held(session, found.held);
             session.detail(file + ": ok");
         } catch (const InputError& error) {
             for (const Diagnostic& diagnostic : error.diagnostics()) problems.add(diagnostic);
@@ -77,6 +89,7 @@ void add_check(CLI::App& library, Session& session)
         ->add_option("FILE", options->files,
                      "refractiveindex.info YAML (.yml), spectrum (.csv), template (.toml, .json)")
         ->required();
+    add_strict_range(*check, options->strict_range);
     check->callback([&session, options] {
         session.run = [&session, options] { return check_files(session, *options); };
     });

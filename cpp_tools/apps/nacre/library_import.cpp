@@ -35,7 +35,7 @@ struct ImportOptions {
     bool alone = true;  ///< one source, whose key may be given
 };
 
-/// What was put right, each with its file.
+/// What was put right or is otherwise than a file has it, each with its file.
 using Changes = std::vector<std::string>;
 
 /// One file, or two of one medium.
@@ -124,10 +124,12 @@ NamedSpectrum completed(NamedSpectrum spectrum, const ImportOptions& options,
     return spectrum;
 }
 
-std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::string& file)
+std::vector<UserEntry> read_spectra(const ImportOptions& options, const std::string& file,
+                                    Changes& changes)
 {
     std::vector<NamedSpectrum> spectra =
         read_spectra_file(file, {}, read_as(options.kind, options.scale));
+    if (auto note = override_note(file, spectra)) changes.push_back(std::move(*note));
     const std::string folder = key_of_file(options, file);
     std::vector<UserEntry> entries;
     std::set<std::string> parts;
@@ -179,7 +181,7 @@ std::vector<UserEntry> read_source(const ImportOptions& options, const Source& s
              "must be emission or reflectance for an image; optical constants are read "
              "from .yml, .csv or a pair of .spd"});
     if (yaml || options.kind == "medium") return {read_medium(options, file, changes)};
-    return read_spectra(options, file);
+    return read_spectra(options, file, changes);
 }
 
 int import_files(const Session& session, ImportOptions options)
@@ -213,6 +215,24 @@ int import_files(const Session& session, ImportOptions options)
     return kExitOk;
 }
 
+constexpr const char* kLibraryImportHelp = R"(
+A table (.csv, text) is a column of wavelengths and one for each spectrum, or n and k with --kind
+medium, in UTF-8 or UTF-16:
+  between cells  tabs, ; , or spaces
+  numbers        with points; with commas where no comma is between cells, or in quotes
+  wavelengths    ascending or descending; called wavelength, lambda, λ, WL or Wellenlänge, a unit, or
+                 both, whatever the case: wavelength_nm, Wavelength(nm), λ (nm), λ / µm, lambda_nm, nm
+  units          nm, also where none is named; µm (um, micron); Å. wl alone is µm below 100
+  per cent       columns called R (%), R [%], %T, R percent, r_pct: they become ratios
+  no first row   of names: then nanometres
+Lines of # are comments; at the top # KEY: value with NAME, KIND, REFERENCES, LICENCE, COMMENTS, TAGS.
+
+  nacre library import my_glass.yml --as glass/mine
+  nacre library import lamp.spdx --citation "data sheet of the maker"
+  nacre library import chart.cgats --kind reflectance --as chart
+  nacre library import film.csv --kind medium
+  nacre library import Au.eta.spd Au.k.spd)";
+
 }  // namespace
 
 void add_library_import(CLI::App& library, Session& session)
@@ -220,12 +240,7 @@ void add_library_import(CLI::App& library, Session& session)
     const auto options = std::make_shared<ImportOptions>();
     CLI::App* command =
         library.add_subcommand("import", "optical constants and spectra into your own library");
-    command->fallthrough()->footer(
-        "\n  nacre library import my_glass.yml --as glass/mine\n"
-        "  nacre library import lamp.spdx --citation \"data sheet of the maker\"\n"
-        "  nacre library import chart.cgats --kind reflectance --as chart\n"
-        "  nacre library import film.csv --kind medium\n"
-        "  nacre library import Au.eta.spd Au.k.spd");
+    command->fallthrough()->footer(kLibraryImportHelp);
     command
         ->add_option("FILE", options->files,
                      "refractiveindex.info YAML (.yml), .csv, .spd, IES TM-27-14 (.spdx), CGATS, "
@@ -235,7 +250,9 @@ void add_library_import(CLI::App& library, Session& session)
         "--as", options->key,
         "key of the entry, or folder of several; by default user/<name of the file>");
     command
-        ->add_option("--kind", options->kind, "what the values are, where the file does not tell")
+        ->add_option("--kind", options->kind,
+                     "what the values are, where the file does not tell; in place of what it "
+                     "states with a note, and not where its values cannot be of that kind")
         ->check(CLI::IsMember({"medium", "reflectance", "emission"}));
     command->add_option("--citation", options->citation, "where the data are from");
     command->add_option("--licence", options->licence, "on what terms they may be used");

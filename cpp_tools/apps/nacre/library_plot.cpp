@@ -10,6 +10,7 @@
 #include "colour_target.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/gamut.h"
+#include "nacre/spectral/working_range.h"
 #include "plot_colours.h"
 
 namespace nacre::tool {
@@ -18,8 +19,11 @@ namespace {
 using spectral::Complex;
 using spectral::Medium;
 using spectral::NamedSpectrum;
+using spectral::OpticalConstantsPtr;
+using spectral::RangeRule;
 using spectral::Sampled;
 using spectral::Vec3;
+using spectral::WorkingRange;
 
 constexpr Paint kBlue = {0.08, 0.33, 0.62};
 constexpr Paint kRed = {0.75, 0.22, 0.13};
@@ -125,21 +129,24 @@ Axis absorption_axis(const std::vector<double>& k)
     return Axis::decades(std::max(least, most * kDeepest), most, kPlotArea.bottom, kPlotArea.top);
 }
 
-bool is_visible(const std::array<double, 2>& range)
+/// At normal incidence from air; with held ends.
+Sampled surface_reflectance(const OpticalConstantsPtr& medium)
 {
-    return range[0] <= 450.0 && range[1] >= 650.0;
+    const auto index = WorkingRange(RangeRule::hold_ends).cover(medium)->on_grid();
+    Sampled reflectance;
+    std::ranges::transform(index, reflectance.begin(),
+                           [](Complex n) { return std::norm((n - 1.0) / (n + 1.0)); });
+    return reflectance;
 }
 
-/// At normal incidence from air; beyond the constants as at their ends.
-Sampled surface_reflectance(const Medium& medium)
+/// What a surface reflects, where the data are enough for a colour.
+void add_surface(Plot& plot, const Medium& medium)
 {
-    const auto [first, last] = medium.constants->range_nm();
-    Sampled reflectance;
-    for (std::size_t i = 0; i < spectral::kWavelengths; ++i) {
-        const Complex n = medium.constants->at(std::clamp(spectral::wavelength_nm(i), first, last));
-        reflectance[i] = std::norm((n - 1.0) / (n + 1.0));
-    }
-    return reflectance;
+    if (range_problem(*medium.constants, RangeRule::hold_ends)) return;
+    plot.caption = "reflects at normal incidence, under D65";
+    add_reflectance(plot, surface_reflectance(medium.constants));
+    if (const auto held = held_ends(medium, spectral::named_illuminant("D65"), kEye))
+        plot.facts.push_back({"held", held->share() + " of Y"});
 }
 
 /// Of glass: n at the lines d, F and C, and the Abbe number.
@@ -209,13 +216,10 @@ Plot plot_of(const Medium& medium)
         Axis axis = absorption_axis(k);
         plot.curves.push_back({"k", std::move(k), std::move(axis), kRed});
     }
-    if (!is_visible(range)) return plot;
-    if (absorption > kClear) {
-        plot.caption = "reflects at normal incidence, under D65";
-        add_reflectance(plot, surface_reflectance(medium));
-    } else if (range[0] <= 486.0 && range[1] >= 657.0) {
+    if (absorption > kClear)
+        add_surface(plot, medium);
+    else if (range[0] <= 486.0 && range[1] >= 657.0)
         add_dispersion(plot, medium);
-    }
     return plot;
 }
 

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "held_ends.h"
 #include "library.h"
 #include "library_plot.h"
 #include "nacre/core/diagnostics.h"
@@ -46,6 +47,9 @@ int show_medium(const Session& session, const ShowOptions& options)
     }
     const auto [first, last] = medium.constants->range_nm();
     const bool bounded = std::isfinite(last);
+    const auto held =
+        held_ends(medium, spectral::named_illuminant("D65"), spectral::ObserverId::cie1931);
+    const auto problem = range_problem(*medium.constants, spectral::RangeRule::hold_ends);
     if (session.json) {
         const ordered_json result = {
             {"key", medium.key},
@@ -53,6 +57,7 @@ int show_medium(const Session& session, const ShowOptions& options)
             {"formula", medium.formula},
             {"tags", medium.tags},
             {"range_nm", bounded ? ordered_json{first, last} : ordered_json()},
+            {"held_ends", held ? held_json({*held}).front() : ordered_json()},
             {"references", medium.references},
             {"comments", medium.comments},
             {"changes", medium.changes},
@@ -63,6 +68,9 @@ int show_medium(const Session& session, const ShowOptions& options)
     write_text_output(
         "", fmt::format("{}: {}\nrange: {}\n", medium.key, medium.name,
                         bounded ? fmt::format("{:g} … {:g} nm", first, last) : "any wavelength") +
+                line("in colours", held      ? held->note()
+                                   : problem ? "refused: " + *problem
+                                             : std::string()) +
                 line("formula", medium.formula) +
                 line("tags", fmt::format("{}", fmt::join(medium.tags, ", "))) +
                 line("references", medium.references) + line("comments", medium.comments) +

@@ -67,12 +67,50 @@ std::vector<NamedSpectrum> read_spectra_file(const std::string& file,
     return spectral::read_spectra(read_text(file), file, said);
 }
 
+std::optional<std::string> override_note(const std::string& input,
+                                         const std::vector<NamedSpectrum>& spectra)
+{
+    const auto count = std::ranges::count_if(
+        spectra, [](const NamedSpectrum& spectrum) { return spectrum.overridden.has_value(); });
+    if (count == 0) return std::nullopt;
+    const auto& first = *std::ranges::find_if(
+        spectra, [](const NamedSpectrum& spectrum) { return spectrum.overridden.has_value(); });
+    const auto of = static_cast<std::size_t>(count) == spectra.size()
+                        ? std::string()
+                        : fmt::format(" of {} spectra in {}", count, spectra.size());
+    return fmt::format("{}: --kind {} in place of the kind {}, which it states{}", input,
+                       spectrum_kind_name(*first.kind), spectrum_kind_name(*first.overridden), of);
+}
+
 namespace {
 
 bool has_key(const std::string& key)
 {
     const auto keys = spectral::library_spectrum_keys();
     return std::ranges::binary_search(keys, key);
+}
+
+/// @throws InputError that says what else an input may be
+NamedSpectrum light_of(const std::string& input)
+{
+    try {
+        return spectral::light_spectrum(input);
+    } catch (const InputError& error) {
+        throw InputError({input, 0, "INPUT",
+                          fmt::format("must be a file, the key of a spectrum (nacre library list) "
+                                      "or an illuminant; as one it {}",
+                                      error.diagnostics().front().message)});
+    }
+}
+
+/// Of the library or a light, whose values are what they are stated to be.
+std::vector<NamedSpectrum> known_spectrum(NamedSpectrum spectrum, const std::string& input,
+                                          const spectral::ReadAs& said)
+{
+    spectrum.unit_stated = true;
+    std::vector<NamedSpectrum> one{std::move(spectrum)};
+    apply({.kind = said.kind, .scale = {}}, one, input);
+    return one;
 }
 
 }  // namespace
@@ -88,20 +126,13 @@ std::vector<NamedSpectrum> read_spectra_input(const std::string& input,
                                               spectra.size() > 1 ? fmt::format(" {}", i + 1) : "");
         return spectra;
     }
-    if (has_key(input)) return {spectral::library_spectrum(input)};
+    if (has_key(input)) return known_spectrum(spectral::library_spectrum(input), input, said);
     // What looks like a key gets the message that knows near ones.
     if (is_texture_file(input)) (void)read_text(input);
     const bool like_key = input.find('/') != std::string::npos;
     if (like_key && input.find('.') == std::string::npos)
         return {spectral::library_spectrum(input)};
-    try {
-        return {spectral::light_spectrum(input)};
-    } catch (const InputError& error) {
-        throw InputError({input, 0, "INPUT",
-                          fmt::format("must be a file, the key of a spectrum (nacre library list) "
-                                      "or an illuminant; as one it {}",
-                                      error.diagnostics().front().message)});
-    }
+    return known_spectrum(light_of(input), input, said);
 }
 
 }  // namespace nacre::tool

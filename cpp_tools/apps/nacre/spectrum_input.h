@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,8 +36,12 @@ struct Pixel {
 inline constexpr const char* kScaleHelp =
     "multiplies the values of files: 0.01 for per cent, 1 for ratios above 1";
 
+/// That --kind took the place of what `input` states; nothing where it did not.
+[[nodiscard]] std::optional<std::string> override_note(
+    const std::string& input, const std::vector<spectral::NamedSpectrum>& spectra);
+
 /// The same for a file that exists, the key of a spectrum in the library, or an illuminant.
-/// @param said  of a file
+/// @param said  the scale is of files alone
 [[nodiscard]] std::vector<spectral::NamedSpectrum> read_spectra_input(
     const std::string& input, const spectral::ReadAs& said = {});
 

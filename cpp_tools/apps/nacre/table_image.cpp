@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "held_ends.h"
 #include "nacre/core/version.h"
 
 namespace nacre::tool {
@@ -58,6 +59,7 @@ Attributes table_attributes(const lut::Table& table, const TableProvenance& prov
         {"nacre:error", error.dump()},
         {"colorInteropID", interop_id(provenance)},
         {"wrapmodes", "clamp,clamp"}};
+    if (!provenance.held.empty()) attributes["nacre:held_ends"] = held_json(provenance.held).dump();
     if (const auto& xy = provenance.space.chromaticities)
         attributes["chromaticities"] = std::vector<float>(xy->begin(), xy->end());
     return attributes;

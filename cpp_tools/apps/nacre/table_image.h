@@ -3,11 +3,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "colour_target.h"
 #include "image_file.h"
 #include "nacre/lut/table.h"
-#include "nacre/spectral/observer.h"
+#include "nacre/spectral/working_range.h"
 
 /// @file
 /// Tables as images, with their axes, units and provenance inside.
@@ -19,6 +20,7 @@ inline constexpr int kTableSchema = 1;
 /// What a table was baked for.
 struct TableProvenance {
     std::string stack;  ///< JSON, in the form that `bake stack` reads
+    std::vector<spectral::HeldEnds> held;
     std::string illuminant;
     spectral::ObserverId observer = spectral::ObserverId::cie1931;
     spectral::Adaptation adaptation = spectral::Adaptation::bradford;

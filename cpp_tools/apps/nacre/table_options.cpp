@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
+#include "held_ends.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/illuminant.h"
 
@@ -37,6 +38,7 @@ void add_illuminant_options(CLI::App& command, TableOptions& options)
         ->capture_default_str();
     command.add_option("--observer", options.observer, "cie1931, cie1964")->capture_default_str();
     add_adaptation_option(command, options.adaptation);
+    add_strict_range(command, options.strict_range);
 }
 
 namespace {
@@ -70,6 +72,7 @@ ResolvedTableOptions resolve(const TableOptions& options)
     result.compile.space = target.name;
     if (!target.built_in) result.compile.custom_space = result.provenance.space;
     result.compile.tolerance = options.tolerance;
+    result.compile.range = range_rule(options.strict_range);
     return result;
 }
 

@@ -14,6 +14,7 @@ namespace nacre::tool {
 struct TableOptions {
     double tolerance = 0.1;
     std::string illuminant = "D65", observer = "cie1931", adaptation = "bradford";
+    bool strict_range = false;
     ColourTargetOptions colour;
 };
 
@@ -26,7 +27,7 @@ struct ResolvedTableOptions {
 void add_table_options(CLI::App& command, TableOptions& options);
 /// Those without the tolerance, for colours that are exact.
 void add_light_options(CLI::App& command, TableOptions& options);
-/// Illuminant, observer and adaptation alone, where a format fixes the space.
+/// Illuminant, observer, adaptation and the range of media alone, where a format fixes the space.
 void add_illuminant_options(CLI::App& command, TableOptions& options);
 
 /// @throws InputError for names that do not exist, or a space that is not scene-linear

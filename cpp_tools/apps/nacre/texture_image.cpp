@@ -159,9 +159,10 @@ std::vector<double> shared_wavelengths(const std::vector<NamedSpectrum>& spectra
 
 }  // namespace
 
-std::string spectra_csv(const std::vector<NamedSpectrum>& spectra)
+std::string spectra_csv(const std::vector<NamedSpectrum>& spectra, const std::string& comments)
 {
-    std::string text = "wavelength_nm";
+    std::string text = comments.empty() ? std::string() : fmt::format("# COMMENTS: {}\n", comments);
+    text += "wavelength_nm";
     for (const NamedSpectrum& spectrum : spectra) text += "," + cell_text(label_of(spectrum));
     text += "\n";
     const std::vector<double> rows = shared_wavelengths(spectra);

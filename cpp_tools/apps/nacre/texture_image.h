@@ -37,6 +37,8 @@ void write_texture(const Session& session, const std::string& output, const Imag
 
 /// `wavelength_nm` and a column for each spectrum, over all wavelengths that one of them has;
 /// numbers in the shortest form that reads back as the same double.
-[[nodiscard]] std::string spectra_csv(const std::vector<spectral::NamedSpectrum>& spectra);
+/// @param comments  for the head of the file, one line; may be empty
+[[nodiscard]] std::string spectra_csv(const std::vector<spectral::NamedSpectrum>& spectra,
+                                      const std::string& comments = {});
 
 }  // namespace nacre::tool

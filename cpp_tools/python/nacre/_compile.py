@@ -34,6 +34,7 @@ def compile_template(
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
     tolerance: float = 0.1,
+    strict_range: bool = False,
 ) -> CompiledMaterial:
     """Compiles the text of a template (TOML) to shader, manifest and tables.
 
@@ -48,6 +49,9 @@ def compile_template(
         "lin_rec709_scene", "lin_rec2020_scene", "lin_ap1_scene" or "xyz_d65".
     tolerance : float
         Largest CIEDE2000 difference between table and exact colour.
+    strict_range : bool
+        Whether media whose data end within 360-830 nm are refused; else data of 400-700 nm do, n and
+        k are held at their ends, and the manifest's `held_ends` says so.
 
     Raises
     ------
@@ -57,7 +61,7 @@ def compile_template(
     handle = c_void_p()
     check(
         lib.nacre_compile_template(
-            *_texts(template, file, illuminant, observer, space),
+            *_texts(template, file, illuminant, observer, space, strict_range),
             number(tolerance, "tolerance"),
             ctypes.byref(handle),
         )
@@ -80,6 +84,7 @@ def preview_tables(
     illuminant: str = "D65",
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
+    strict_range: bool = False,
 ) -> dict[str, np.ndarray]:
     """New texels for a compiled film whose stack is being edited: quick, errors not stated.
 
@@ -92,7 +97,7 @@ def preview_tables(
     sizes : mapping
         (height, width) by name of a table, as the compiled material has them. `R_further`,
         `R_schlick` and `lobe_…` are left out of the result.
-    file, illuminant, observer, space : str
+    file, illuminant, observer, space, strict_range
         As of `compile_template`.
 
     Returns
@@ -114,7 +119,7 @@ def preview_tables(
     handle = c_void_p()
     check(
         lib.nacre_preview_template(
-            *_texts(template, file, illuminant, observer, space),
+            *_texts(template, file, illuminant, observer, space, strict_range),
             len(sizes),
             wanted,
             ctypes.byref(handle),
@@ -144,6 +149,7 @@ def template_spectrum(
     illuminant: str = "D65",
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
+    strict_range: bool = False,
 ) -> TemplateSpectrum:
     """What the film of a template reflects and lets pass, unpolarised, by its
     technique: the exact multilayer unless it asks for another.
@@ -157,7 +163,7 @@ def template_spectrum(
         nothing varies it is not looked at.
     angle_deg : float
         In the ambient, in [0, 90).
-    file, illuminant, observer, space : str
+    file, illuminant, observer, space, strict_range
         As of `compile_template`.
 
     Raises
@@ -168,7 +174,7 @@ def template_spectrum(
     spectra, colours = np.empty((2, WAVELENGTHS)), np.empty((2, 3))
     check(
         lib.nacre_template_spectrum(
-            *_texts(template, file, illuminant, observer, space),
+            *_texts(template, file, illuminant, observer, space, strict_range),
             number(value, "value"),
             number(angle_deg, "angle_deg"),
             spectra[0].ctypes.data,
@@ -179,11 +185,16 @@ def template_spectrum(
     return TemplateSpectrum(spectra[0], spectra[1], colours)
 
 
-def _texts(template: str, file: str, illuminant: str, observer: str, space: str) -> list[bytes]:
-    return [
+def _texts(
+    template: str, file: str, illuminant: str, observer: str, space: str, strict_range: bool
+) -> list[bytes]:
+    """As C takes them; with `strict_range` of a template whose media need not be held."""
+    texts = [
         encoded(template, "template"),
         encoded(file, "file"),
         encoded(illuminant, "illuminant"),
         encoded(observer, "observer"),
-        encoded(space, "space"),
     ]
+    if strict_range:
+        check(lib.nacre_template_held_ends(*texts, 1, ctypes.byref(ctypes.c_char_p())))
+    return [*texts, encoded(space, "space")]

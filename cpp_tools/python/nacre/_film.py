@@ -26,7 +26,6 @@ from ._native import (
     text,
 )
 
-GRID_NM = np.arange(360.0, 831.0)
 MAX_TEXELS = 16384  # per axis
 
 
@@ -45,9 +44,9 @@ class FilmLut(NamedTuple):
     transmittance: Table | None
 
 
-def _index(medium: Any) -> np.ndarray:
+def _index(medium: Any, strict_range: bool) -> np.ndarray:
     if isinstance(medium, str):
-        return library.medium(medium).index(GRID_NM)
+        return library.medium(medium).index_on_grid(strict_range=strict_range)
     values = complexes(medium, "media")
     if values.shape not in ((), (WAVELENGTHS,)):
         raise NacreError(
@@ -92,6 +91,7 @@ def film_lut(
     illuminant: str = "D65",
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
+    strict_range: bool = False,
 ) -> FilmLut:
     """Colour of a stack over the cosine of the angle and a thickness, as a table for a renderer.
 
@@ -121,6 +121,9 @@ def film_lut(
     illuminant, observer, space : str
         A light by name (`nacre.illuminant`), "cie1931" or "cie1964", and "lin_rec709_scene",
         "lin_rec2020_scene", "lin_ap1_scene" or "xyz_d65".
+    strict_range : bool
+        Whether keys of media whose data end within 360-830 nm are refused; else their ends are held
+        (`library.Medium.index_on_grid`).
 
     Returns
     -------
@@ -144,7 +147,9 @@ def film_lut(
         raise NacreError(f"size: must be two numbers in 1…{MAX_TEXELS} (got {size!r})")
     if precision not in ("double", "single"):
         raise NacreError(f"precision: must be 'double' or 'single' (got {precision!r})")
-    n = np.ascontiguousarray([_index(medium) for medium in media], dtype=np.complex128)
+    n = np.ascontiguousarray(
+        [_index(medium, strict_range) for medium in media], dtype=np.complex128
+    )
     flags = np.array([True] * layers if coherent is None else coherent, dtype=np.uint8)
     if flags.shape != (layers,):
         raise NacreError(f"coherent: must have {layers} flags (got {flags.shape})")

@@ -206,6 +206,12 @@ _SIGNATURES = {
     "nacre_library_words_of": (c_int, [c_int, c_char_p, POINTER(LibraryWords)]),
     "nacre_library_medium": (c_int, [c_char_p, POINTER(Medium)]),
     "nacre_library_index": (c_int, [c_char_p, c_size_t, c_void_p, c_void_p]),
+    "nacre_library_index_on_grid": (c_int, [c_char_p, c_int, c_void_p]),
+    "nacre_library_held_ends": (
+        c_int,
+        [*[c_char_p] * 3, c_int, POINTER(c_double), POINTER(c_char_p)],
+    ),
+    "nacre_template_held_ends": (c_int, [*[c_char_p] * 4, c_int, POINTER(c_char_p)]),
     "nacre_library_spectrum_count": (c_size_t, []),
     "nacre_library_spectrum_key": (c_char_p, [c_size_t]),
     "nacre_library_spectrum": (c_int, [c_char_p, POINTER(Spectrum)]),

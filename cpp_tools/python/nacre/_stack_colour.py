@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native
+from . import _native, library
 from ._colour import Colour
 from ._native import (
     WAVELENGTHS,
@@ -33,10 +33,13 @@ class StackColour(NamedTuple):
     wavelengths: np.ndarray
 
 
-def _medium(medium: Any, number: int) -> tuple[_native.MediumIndex, Any]:
+def _medium(medium: Any, number: int, strict_range: bool) -> tuple[_native.MediumIndex, Any]:
     """And what has to live as long."""
     if isinstance(medium, str):
-        return _native.MediumIndex(key=text(medium, f"media[{number}]")), None
+        key = text(medium, f"media[{number}]")
+        if strict_range:
+            library.medium(medium).index_on_grid(strict_range=True)
+        return _native.MediumIndex(key=key), None
     values = complexes(medium, f"media[{number}]")
     if values.shape not in ((), (WAVELENGTHS,)):
         raise NacreError(
@@ -63,6 +66,7 @@ def stack_colour(
     space: str = "lin_rec709_scene",
     adaptation: str = "bradford",
     gamut: str = "keep",
+    strict_range: bool = False,
 ) -> StackColour:
     """Colours of multilayers that differ in thickness and angle.
 
@@ -82,6 +86,8 @@ def stack_colour(
         "full": every nanometre; "steps:N", "hierarchical:LEVEL".
     illuminant, observer, space, adaptation, gamut
         As of `spectrum_to_colour`.
+    strict_range : bool
+        As of `film_lut`.
 
     Returns
     -------
@@ -110,7 +116,9 @@ def stack_colour(
     flags = np.array([True] * layers if coherent is None else coherent, dtype=np.uint8)
     if flags.shape != (layers,):
         raise NacreError(f"coherent: must have {layers} flags (got {flags.shape})")
-    indices, kept = zip(*(_medium(medium, i) for i, medium in enumerate(media)), strict=True)
+    indices, kept = zip(
+        *(_medium(medium, i, strict_range) for i, medium in enumerate(media)), strict=True
+    )
     stacks = _native.ColourStacks(
         layers=layers,
         media=(_native.MediumIndex * len(indices))(*indices),

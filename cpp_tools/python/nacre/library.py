@@ -14,7 +14,15 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._native import NacreError, check, doubles, lib, text
+from ._native import WAVELENGTHS, NacreError, check, doubles, lib, text
+
+
+class HeldEnds(NamedTuple):
+    """percent: of the luminous weight, beyond the data of a medium; note: a sentence that says so,
+    empty where nothing is held."""
+
+    percent: float
+    note: str
 
 
 class Medium(NamedTuple):
@@ -44,6 +52,35 @@ class Medium(NamedTuple):
             lib.nacre_library_index(key, wavelengths.size, wavelengths.ctypes.data, n.ctypes.data)
         )
         return n
+
+    def index_on_grid(self, *, strict_range: bool = False) -> np.ndarray:
+        """n + ik, complex128 (471,) over 360 ... 830 nm, the range of colours.
+
+        Data of 400 ... 700 nm are enough: where they end within the range, n and k are held as they
+        are at the end, as in every stack that names the medium by its key; `held_ends` says how much
+        that is. Raises NacreError for shorter data and, with `strict_range`, for such.
+        """
+        n = np.empty(WAVELENGTHS, dtype=np.complex128)
+        key = text(self.key, "key")
+        check(lib.nacre_library_index_on_grid(key, int(strict_range), n.ctypes.data))
+        return n
+
+    def held_ends(
+        self, *, illuminant: str = "D65", observer: str = "cie1931", strict_range: bool = False
+    ) -> HeldEnds:
+        """How much of the luminous weight `index_on_grid` holds. Raises NacreError as it does."""
+        percent, note = ctypes.c_double(), ctypes.c_char_p()
+        check(
+            lib.nacre_library_held_ends(
+                text(self.key, "key"),
+                text(illuminant, "illuminant"),
+                text(observer, "observer"),
+                int(strict_range),
+                ctypes.byref(percent),
+                ctypes.byref(note),
+            )
+        )
+        return HeldEnds(percent.value, (note.value or b"").decode())
 
 
 class Spectrum(NamedTuple):

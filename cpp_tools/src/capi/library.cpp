@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "guard.h"
+#include "kept_text.h"
 #include "nacre/capi/library.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/library_search.h"
@@ -15,9 +16,7 @@
 #include "nacre/spectral/spectrum_library.h"
 
 namespace nacre::capi {
-namespace {
 
-/// Text whose address stays, each once.
 const char* kept(const std::string& text)
 {
     static std::mutex mutex;
@@ -25,6 +24,8 @@ const char* kept(const std::string& text)
     const std::lock_guard lock(mutex);
     return all.insert(text).first->c_str();
 }
+
+namespace {
 
 /// The keys of one kind, as the calling thread saw them last.
 class KeyList {

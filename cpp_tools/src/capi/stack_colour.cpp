@@ -16,15 +16,17 @@
 #include "guard.h"
 #include "nacre/optics/stack_colour.h"
 #include "nacre/spectral/colour_quadrature.h"
+#include "nacre/spectral/working_range.h"
 
 namespace nacre::capi {
 namespace {
 
 using optics::StackColour;
 
-spectral::OpticalConstantsPtr constants(const nacre_medium_index& medium)
+spectral::OpticalConstantsPtr constants(const nacre_medium_index& medium,
+                                        spectral::WorkingRange& range)
 {
-    if (medium.key != nullptr) return spectral::library_medium(medium.key).constants;
+    if (medium.key != nullptr) return range.cover(spectral::library_medium(medium.key).constants);
     require(medium.n, "n");
     if (medium.count == 1) return spectral::constant_index({medium.n[0], medium.n[1]});
     if (medium.count != spectral::kWavelengths)
@@ -40,11 +42,12 @@ optics::DispersiveStack read_stack(const nacre_colour_stacks& stacks)
     if (stacks.layers > optics::kMaxLayers)
         fail("layers", fmt::format("must be ≤ {} (got {})", optics::kMaxLayers, stacks.layers));
     require(stacks.media, "media");
+    spectral::WorkingRange range(spectral::RangeRule::hold_ends);
     optics::DispersiveStack stack;
     stack.media.reserve(stacks.layers + 2);
     for (std::size_t m = 0; m < stacks.layers + 2; ++m) {
         try {
-            stack.media.push_back(constants(stacks.media[m]));
+            stack.media.push_back(constants(stacks.media[m], range));
         } catch (const InputError& error) {
             const Diagnostic& problem = error.diagnostics().front();
             const bool named = stacks.media[m].key != nullptr;

@@ -181,6 +181,18 @@ const ParameterSpec* MaterialTemplate::parameter(std::string_view parameter_name
     return it == parameters.end() ? nullptr : &*it;
 }
 
+std::vector<const MediumSpec*> MaterialTemplate::media() const
+{
+    if (const auto* glass = std::get_if<GlassSpec>(&kind)) return {&glass->medium};
+    if (const auto* grating = std::get_if<GratingSpec>(&kind))
+        return {&grating->cover, &grating->substrate};
+    const auto& stack = std::get<StackSpec>(kind);
+    std::vector<const MediumSpec*> media{&stack.ambient};
+    for (const LayerSpec& layer : stack.layers) media.push_back(&layer.medium);
+    media.push_back(&stack.substrate);
+    return media;
+}
+
 Interior MaterialTemplate::interior() const
 {
     if (surface.diffuse_base) return Interior::diffuse;

@@ -72,6 +72,17 @@ Json gamut_entry(const Context& context)
     return {{"negative", lowest < 0.0}, {"lowest", lowest}};
 }
 
+Json held_entries(const Context& context)
+{
+    Json entries = Json::array();
+    for (const HeldMedium& held : context.held)
+        entries.push_back({{"medium", held.medium},
+                           {"range_nm", held.range_nm},
+                           {"percent", held.percent},
+                           {"note", held.note}});
+    return entries;
+}
+
 std::string kind_name(const Context& context)
 {
     constexpr std::array<const char*, 3> kNames{"film", "grating", "glass"};
@@ -115,6 +126,7 @@ Json manifest(const Context& context)
         result["glass"] = {
             {"lines",
              {{"F", context.glass->n_F}, {"d", context.glass->n_d}, {"C", context.glass->n_C}}}};
+    if (!context.held.empty()) result["held_ends"] = held_entries(context);
     if (const auto* grating = std::get_if<material::GratingSpec>(&source.kind))
         result["grating"] = {{"pitch_nm", grating->pitch_nm.value}, {"orders", grating->orders}};
     return result;

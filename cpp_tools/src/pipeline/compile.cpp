@@ -54,10 +54,8 @@ std::optional<lut::Variation> variation(const StackSpec& stack)
     return std::nullopt;
 }
 
-lut::SampledStack sampled_stack(const StackSpec& stack, bool clear_substrate,
-                                const std::string& file)
+lut::SampledStack sampled_stack(const StackSpec& stack, bool clear_substrate, MediaReader media)
 {
-    MediaReader media(file);
     lut::SampledStack result{
         .ambient = media.clear_on_grid(stack.ambient, kTraceOfK), .layers = {}, .substrate = {}};
     for (const material::LayerSpec& layer : stack.layers)
@@ -174,7 +172,7 @@ FilmBake bake_all(const MaterialTemplate& source, const CompileOptions& options)
 {
     const lut::FilmTableRequest request = film_request(source, options);
     return bake(source, [&] {
-        const std::optional<double> solid = solid_index(source);
+        const std::optional<double> solid = solid_index(source, options.range);
         FilmBake result{.tables = film_tables(request, source.interior(), solid),
                         .schlick = {},
                         .solid_index = solid};
@@ -196,11 +194,10 @@ oslgen::WavelengthTable wavelength_table(const spectral::WavelengthSampling& sam
 }
 
 /// Colour of the metal under its cover at normal incidence, and what it does to each wavelength.
-oslgen::GratingColours grating_colours(const GratingSpec& grating, const std::string& file,
+oslgen::GratingColours grating_colours(const GratingSpec& grating, MediaReader media,
                                        const spectral::ColourWeights& weights,
                                        const spectral::WavelengthSampling& sampling)
 {
-    MediaReader media(file);
     const lut::IndexOnGrid cover = media.clear_on_grid(grating.cover, kTraceOfK);
     const lut::IndexOnGrid metal = media.on_grid(grating.substrate);
     media.throw_if_any();
@@ -213,10 +210,9 @@ oslgen::GratingColours grating_colours(const GratingSpec& grating, const std::st
             .cover_index = cover_index};
 }
 
-oslgen::GlassIndex glass_index(const GlassSpec& glass, const std::string& file,
+oslgen::GlassIndex glass_index(const GlassSpec& glass, MediaReader media,
                                const spectral::ColourWeights& weights)
 {
-    MediaReader media(file);
     const lut::IndexOnGrid index = media.clear_on_grid(glass.medium, kTraceOfK);
     media.throw_if_any();
     const spectral::OpticalConstantsPtr medium = media.constants(glass.medium);
@@ -246,7 +242,7 @@ lut::FilmTableRequest film_request(const MaterialTemplate& source, const Compile
                                     "[substrate]"});
     lut::FilmTableRequest request;
     const bool light_goes_on = source.interior() != material::Interior::opaque;
-    request.stack = sampled_stack(*stack, light_goes_on, source.file);
+    request.stack = sampled_stack(*stack, light_goes_on, {source.file, options.range});
     request.technique = technique(*stack, request.stack, source.file);
     request.variation = variation(*stack);
     request.weights = colour_weights(options);
@@ -270,6 +266,7 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
     oslgen::Context context;
     context.source = &source;
     const spectral::ColourWeights weights = colour_weights(options);
+    const MediaReader media(source.file, options.range);
     context.space = weights.space;
     context.to_xyz_d65 = weights.to_xyz_d65;
     context.illuminant = weights.illuminant;
@@ -280,11 +277,11 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
     if (const auto* grating = std::get_if<GratingSpec>(&source.kind)) {
         const auto sampling = spectral::sample_wavelengths(weights, kWavelengthCells);
         context.wavelengths = wavelength_table(sampling);
-        context.grating = grating_colours(*grating, source.file, weights, sampling);
+        context.grating = grating_colours(*grating, media, weights, sampling);
     } else if (const auto* glass = std::get_if<GlassSpec>(&source.kind)) {
         context.wavelengths =
             wavelength_table(spectral::sample_wavelengths(weights, kWavelengthCells));
-        context.glass = glass_index(*glass, source.file, weights);
+        context.glass = glass_index(*glass, media, weights);
     } else {
         FilmBake baked = bake_all(source, options);
         result.tables = std::move(baked.tables);
@@ -293,6 +290,8 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
             context.tables.push_back(table_info(table, source.id));
         context.solid_index = baked.solid_index;
     }
+    for (const spectral::HeldEnds& held : held_media(source, options))
+        context.held.push_back({held.medium, held.range_nm, held.percent, held.note()});
     oslgen::MaterialProgram program = oslgen::generate(context);
     result.osl = std::move(program.osl);
     result.manifest = std::move(program.manifest);

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "nacre/pipeline/compile.h"
+
 namespace nacre::pipeline {
 namespace {
 
@@ -55,7 +57,7 @@ void MediaReader::report(const material::MediumSpec& spec, const InputError& err
 OpticalConstantsPtr MediaReader::constants(const material::MediumSpec& spec)
 {
     try {
-        return std::visit(Build{}, spec.value);
+        return range_.cover(std::visit(Build{}, spec.value));
     } catch (const InputError& error) {
         report(spec, error);
         return nullptr;
@@ -87,15 +89,36 @@ lut::IndexOnGrid MediaReader::clear_on_grid(const material::MediumSpec& spec, do
     return index;
 }
 
-std::optional<double> solid_index(const material::MaterialTemplate& source)
+std::optional<double> solid_index(const material::MaterialTemplate& source,
+                                  spectral::RangeRule rule)
 {
     if (source.interior() != material::Interior::solid) return std::nullopt;
     const auto& stack = std::get<material::StackSpec>(source.kind);
-    MediaReader media(source.file);
+    MediaReader media(source.file, rule);
     const OpticalConstantsPtr substrate = media.constants(stack.substrate),
                               ambient = media.constants(stack.ambient);
     media.throw_if_any();
     return substrate->at(kLineD).real() / ambient->at(kLineD).real();
+}
+
+std::vector<spectral::HeldEnds> held_media(const material::MaterialTemplate& source,
+                                           const CompileOptions& options)
+{
+    MediaReader reader(source.file, options.range);
+    std::vector<const spectral::Medium*> media;
+    for (const material::MediumSpec* spec : source.media()) {
+        const auto* named = std::get_if<material::LibraryMedium>(&spec->value);
+        if (!named || !reader.constants(*spec)) continue;
+        const spectral::Medium* medium = &spectral::library_medium(named->key);
+        if (std::ranges::find(media, medium) == media.end()) media.push_back(medium);
+    }
+    reader.throw_if_any();
+    const spectral::Illuminant light = spectral::named_illuminant(options.illuminant);
+    std::vector<spectral::HeldEnds> held;
+    for (const spectral::Medium* medium : media)
+        if (auto ends = held_ends(*medium, light, options.observer))
+            held.push_back(std::move(*ends));
+    return held;
 }
 
 }  // namespace nacre::pipeline

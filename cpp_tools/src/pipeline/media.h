@@ -8,7 +8,7 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/material/template.h"
-#include "nacre/spectral/optical_constants.h"
+#include "nacre/spectral/working_range.h"
 
 namespace nacre::pipeline {
 
@@ -22,13 +22,14 @@ inline constexpr double kTraceOfK = 1e-4;
 /// are collected, so that a user sees all of them.
 class MediaReader {
 public:
-    explicit MediaReader(std::string file) : file_(std::move(file)) {}
+    MediaReader(std::string file, spectral::RangeRule rule) : file_(std::move(file)), range_(rule)
+    {}
 
     /// On the 1 nm grid; 1 where a problem was reported.
     [[nodiscard]] lut::IndexOnGrid on_grid(const material::MediumSpec& spec);
     /// The same for a medium that has to be clear; `max_k` is what still counts as clear.
     [[nodiscard]] lut::IndexOnGrid clear_on_grid(const material::MediumSpec& spec, double max_k);
-    /// Null where a problem was reported.
+    /// Over 360 … 830 nm. Null where a problem was reported.
     [[nodiscard]] spectral::OpticalConstantsPtr constants(const material::MediumSpec& spec);
 
     /// @throws InputError when anything was reported.
@@ -38,12 +39,14 @@ private:
     void report(const material::MediumSpec& spec, const InputError& error);
 
     std::string file_;
+    spectral::WorkingRange range_;
     DiagnosticList problems_;
 };
 
 /// Index of the substrate relative to the ambient, at the d line, of a film on solid glass; nothing
 /// of any other.
 /// @throws InputError with the template's lines
-[[nodiscard]] std::optional<double> solid_index(const material::MaterialTemplate& source);
+[[nodiscard]] std::optional<double> solid_index(const material::MaterialTemplate& source,
+                                                spectral::RangeRule rule);
 
 }  // namespace nacre::pipeline

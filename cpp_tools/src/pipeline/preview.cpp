@@ -33,10 +33,11 @@ bool is_left_out(std::string_view name)
 /// The tables of one stack that are asked for, by name without suffix.
 class Preview {
 public:
-    Preview(lut::FilmTableRequest request, const MaterialTemplate& source)
+    Preview(lut::FilmTableRequest request, const MaterialTemplate& source,
+            spectral::RangeRule range)
         : request_(std::move(request)),
           below_(source.interior()),
-          solid_index_(solid_index(source)),
+          solid_index_(solid_index(source, range)),
           file_(source.file)
     {}
 
@@ -147,7 +148,8 @@ std::vector<lut::Table> preview_tables(const MaterialTemplate& source,
     lut::FilmTableRequest bare_request = request;
     bare_request.stack.layers.clear();
     bare_request.variation.reset();
-    Preview film(request, source), bare(std::move(bare_request), source);
+    Preview film(request, source, options.range),
+        bare(std::move(bare_request), source, options.range);
 
     // First what the others are made from, in whatever order they are asked for.
     for (const TableLayout& wanted : layout)

@@ -71,12 +71,25 @@ std::optional<std::string> unit_problem(const NamedSpectrum& spectrum)
         lowest, highest);
 }
 
+/// Why values that are stated to be of one kind cannot be of the other.
+std::optional<std::string> override_problem(const NamedSpectrum& spectrum)
+{
+    if (!spectrum.overridden) return std::nullopt;
+    auto problem = kind_problem(spectrum.samples, *spectrum.kind);
+    if (!problem) return std::nullopt;
+    return fmt::format("is stated to be of the kind {} and cannot be of the kind {}: {}",
+                       spectrum_kind_name(*spectrum.overridden), spectrum_kind_name(*spectrum.kind),
+                       *problem);
+}
+
 }  // namespace
 
 void apply(const ReadAs& said, std::vector<NamedSpectrum>& spectra, const std::string& file)
 {
     FileProblems problems(file);
     for (NamedSpectrum& spectrum : spectra) {
+        if (said.kind && spectrum.kind && spectrum.kind != said.kind)
+            spectrum.overridden = spectrum.kind;
         if (said.kind) spectrum.kind = said.kind;
         if (said.scale) {
             std::vector<double> values = spectrum.samples.values();
@@ -84,7 +97,9 @@ void apply(const ReadAs& said, std::vector<NamedSpectrum>& spectra, const std::s
             spectrum.samples = {spectrum.samples.wavelengths_nm(), std::move(values)};
             spectrum.unit_stated = true;
         }
-        if (auto problem = unit_problem(spectrum))
+        auto problem = override_problem(spectrum);
+        if (!problem) problem = unit_problem(spectrum);
+        if (problem)
             problems.add(0, spectrum.name.empty() ? "values" : spectrum.name, std::move(*problem));
     }
     problems.throw_if_any();

@@ -141,14 +141,13 @@ std::vector<TextureSamples> unpack_spectra(const Texture& texture, SpectrumLayou
     return spectra;
 }
 
-MaterialSpectra material_spectra(const Medium& medium, const ColourWeights& weights)
+MaterialSpectra material_spectra(const Medium& medium, const ColourWeights& weights, RangeRule rule)
 {
-    const auto [first, last] = medium.constants->range_nm();
-    require_overlap(first, last);
+    const OpticalConstantsPtr constants = WorkingRange(rule).cover(medium.constants);
+    const auto [first, last] = constants->range_nm();
     MaterialSpectra material;
     for (std::size_t i = 0; i < kTextureSamples; ++i) {
-        const Complex index =
-            medium.constants->at(std::clamp(texture_wavelength_nm(i), first, last));
+        const Complex index = constants->at(std::clamp(texture_wavelength_nm(i), first, last));
         material.n[i] = index.real();
         material.k[i] = index.imag();
         // Fresnel at normal incidence, from air.

@@ -109,8 +109,8 @@ TEST(SpectrumTexture, MaterialsNormalisedAndNot)
     const auto weights = reflectance_weights(named_illuminant("D65"), ObserverId::cie1931,
                                              colour_space("lin_rec709_scene"));
     const std::vector<MaterialSpectra> metals = {
-        material_spectra(library_medium("Au/Johnson"), weights),
-        material_spectra(library_medium("air"), weights)};
+        material_spectra(library_medium("Au/Johnson"), weights, RangeRule::strict),
+        material_spectra(library_medium("air"), weights, RangeRule::strict)};
     EXPECT_EQ(metals[1].colour, (Vec3{0.0, 0.0, 0.0}));
     // Johnson and Christy 1972 at 2.26 eV, 548.6 nm: 0.43 + 2.455 i.
     EXPECT_NEAR(metals[0].n[225], 0.43, 0.002);

@@ -18,7 +18,7 @@ extern "C" {
 
 /** A medium by its key in the library, or by numbers. */
 typedef struct nacre_medium_index {
-    const char* key; /**< or NULL, and then */
+    const char* key; /**< held as nacre/capi/working_range.h has it; or NULL, and then */
     const double* n; /**< `count` pairs n, k */
     size_t count;    /**< 1, or NACRE_WAVELENGTHS for 360 ... 830 nm, linear in between */
 } nacre_medium_index;

@@ -166,6 +166,8 @@ struct MaterialTemplate {
     std::vector<ParameterSpec> parameters;
 
     [[nodiscard]] const ParameterSpec* parameter(std::string_view parameter_name) const;
+    /// All that it is made of, from the ambient or the cover down.
+    [[nodiscard]] std::vector<const MediumSpec*> media() const;
     /// Of a film; of other kinds it means nothing.
     [[nodiscard]] Interior interior() const;
 

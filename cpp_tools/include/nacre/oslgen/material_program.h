@@ -71,6 +71,14 @@ struct GratingColours {
     double cover_index;  ///< at the d line
 };
 
+/// A medium that ends within the range of colours, see spectral/working_range.h.
+struct HeldMedium {
+    std::string medium;
+    std::array<double, 2> range_nm;
+    double percent;
+    std::string note;
+};
+
 /// All that the pipeline found out about a template.
 struct Context {
     const material::MaterialTemplate* source = nullptr;
@@ -80,6 +88,7 @@ struct Context {
     std::optional<GratingColours> grating;
     std::optional<SchlickTerms> schlick;  ///< of films whose lobe is not that of clear glass
     std::optional<double> solid_index;    ///< of a film on clear glass: relative, at the d line
+    std::vector<HeldMedium> held;
     std::string space, illuminant, observer, adaptation;
     /// Of the space: rows of the matrix from its colours to XYZ (oslgen does not see `spectral`).
     std::array<std::array<double, 3>, 3> to_xyz_d65{};

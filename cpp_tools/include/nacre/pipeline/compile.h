@@ -11,6 +11,7 @@
 #include "nacre/lut/film_table.h"
 #include "nacre/material/template.h"
 #include "nacre/spectral/colour.h"
+#include "nacre/spectral/working_range.h"
 
 /// @file
 /// Template in, compiled material out: looks up media, bakes tables, generates shader and manifest.
@@ -26,7 +27,8 @@ struct CompileOptions {
     std::string space = "lin_rec709_scene";
     /// Instead of `space`: a scene-linear space that the library does not know by name.
     std::optional<spectral::ColourSpace> custom_space;
-    double tolerance = 0.1;  ///< ΔE00
+    spectral::RangeRule range = spectral::RangeRule::hold_ends;  ///< of the media's data
+    double tolerance = 0.1;                                      ///< ΔE00
     std::function<bool(double)> progress;
 };
 
@@ -45,5 +47,10 @@ struct CompiledMaterial {
 /// Every wavelength-dependent index is on the 1 nm grid.
 [[nodiscard]] lut::FilmTableRequest film_request(const material::MaterialTemplate& source,
                                                  const CompileOptions& options);
+
+/// Media of a template whose data end within 360 … 830 nm, each once; the manifest has them, too.
+/// @throws InputError with the template's lines, also where a medium may not be held
+[[nodiscard]] std::vector<spectral::HeldEnds> held_media(const material::MaterialTemplate& source,
+                                                         const CompileOptions& options);
 
 }  // namespace nacre::pipeline

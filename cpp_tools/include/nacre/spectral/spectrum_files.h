@@ -34,6 +34,8 @@ struct NamedSpectrum {
     Spectrum samples;
     /// Whether a file says that its reflectances are ratios, or per cent, which are ratios here.
     bool unit_stated = false;
+    /// What the file says where ReadAs::kind took the place of it.
+    std::optional<SpectrumKind> overridden = {};
 
     /// Reflectances as Spectrum::on_grid() has it; emissions linear, as the CIE reads illuminants.
     [[nodiscard]] Sampled on_grid() const;
@@ -54,13 +56,26 @@ struct ReadAs {
 /// Kind and scale as the user says.
 /// @throws InputError for a reflectance above 1 somewhere of which neither the file nor the user
 ///         says whether it is a ratio, which a fluorescent colour may have, or per cent, as the
-///         black patch of a chart has it.
+///         black patch of a chart has it; and for values that cannot be of the user's kind where
+///         the file says another, by kind_problem().
 void apply(const ReadAs& said, std::vector<NamedSpectrum>& spectra, const std::string& file);
 
-/// Rows of wavelength and values, separated by one of `,` `;` or tabs. A first row of names is
-/// optional: `wavelength_nm` or `wavelength_um` (`wl`) and the names of the spectra; without it
-/// nanometres. Comments at the top may be `# KEY: value` with NAME, KIND, REFERENCES, LICENCE,
-/// COMMENTS, TAGS.
+/// Rows of a wavelength and values, as spreadsheets and instruments write them; in UTF-8, or UTF-16
+/// with or without a byte order mark.
+///
+///   between cells  tabs, `;`, `,` or spaces; those at the end of a row count for nothing
+///   numbers        with points, or commas where no comma is between cells or they stand in quotes;
+///                  one of them throughout a file
+///   wavelengths    ascending or descending
+///   first row      names, or nothing: then nanometres. That of the wavelengths is any of
+///                  `wavelength`, `wave length`, `lambda`, `λ`, `WL`, `Wellenlänge` and a unit, or
+///                  one of both, whatever the case, with `in`, `_`, `/`, `(…)` or `[…]` around it:
+///                  `wavelength_nm`, `Wavelength(nm)`, `λ (nm)`, `λ / µm`, `lambda_nm`, `nm`
+///   units          nm (also where none is named), µm (`um`, `micron`, `micrometer`), Å; `wl` alone
+///                  is µm below 100, as refractiveindex.info exports it, and else nm
+///   per cent       columns called `R (%)`, `R [%]`, `%T`, `R percent` or `r_pct`: ratios once read
+///   comments       lines of `#`; at the top `# KEY: value` with NAME, KIND, REFERENCES, LICENCE,
+///                  COMMENTS, TAGS
 [[nodiscard]] std::vector<NamedSpectrum> read_csv_spectra(std::string_view text,
                                                           std::string_view file);
 

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "nacre/spectral/colour.h"
-#include "nacre/spectral/optical_constants.h"
 #include "nacre/spectral/spectrum_files.h"
 #include "nacre/spectral/texture.h"
+#include "nacre/spectral/working_range.h"
 
 /// @file
 /// Spectra in textures: one fetch gives a shader several wavelengths, or all that a wavelength
@@ -65,9 +65,10 @@ struct MaterialSpectra {
 };
 
 /// Intensity: the reflectance in air at normal incidence; colour: of it, by `weights`.
-/// Outside the range of the data n and k keep the value of its end.
-/// @throws InputError when the data do not overlap 324 … 835 nm
-[[nodiscard]] MaterialSpectra material_spectra(const Medium& medium, const ColourWeights& weights);
+/// By the rule over 360 … 830 nm; what a texture has beyond is held where the data end.
+/// @throws InputError where the rule refuses the medium
+[[nodiscard]] MaterialSpectra material_spectra(const Medium& medium, const ColourWeights& weights,
+                                               RangeRule rule);
 
 /// A row each, RGBA. Texel i < 512: intensity, n and k at 324 + i nm, 1. With `normalise` n and k
 /// are stored as (v − min) / (max − min), 0 where both are the same. Texel 512: the colour, 1.
