@@ -413,7 +413,7 @@ def test_values_that_cannot_be_of_the_kind_are_refused(nacre, tmp_path, own_libr
     assert sorted(path.name for path in tmp_path.iterdir()) == ["lamp.csv"]
 
 
-@pytest.mark.parametrize("light", ["D65", "lamp/hps", "blackbody:3200"])
+@pytest.mark.parametrize("light", ["D65", "cie/A", "blackbody:3200"])
 def test_a_light_is_no_reflectance(nacre, tmp_path, light):
     error = nacre.fails("bake", "spectra", light, "--kind", "reflectance", "-o", tmp_path / "t.exr")
     assert f"{light}: " in error
