@@ -107,6 +107,22 @@ def test_material_under_a_studio_s_configuration(studio, plain, material, form):
     compare(found, plain(studio.version, material, form))
 
 
+def stage_light(blender: Blender, stage: str) -> np.ndarray:
+    """In XYZ."""
+    file = blender.folder / f"{stage}.exr"
+    file.unlink(missing_ok=True)
+    matrix = blender.call("space.stage_light", stage=stage, file=str(file))
+    return read_image(file) @ np.array(matrix).T
+
+
+# A sky with trees, and warm lamps in a room.
+@pytest.mark.parametrize("stage", ["bubble", "sphere"])
+def test_the_light_of_a_stage_under_a_studio_s_configuration(blender, studio, stage):
+    expected = stage_light(blender, stage)
+    assert expected.max() > 2.0 * expected.min()
+    compare(stage_light(studio, stage), expected)
+
+
 # What a glass or a grating sends to the eye is of one wavelength, and in no gamut.
 WORLD = """
 shader world(float line_nm = 550.0, {edges}, {weight}, output color value = 0.0)

@@ -60,3 +60,12 @@ def render(**job) -> list[list[float]]:
         return extension.space_to_xyz()
     finally:
         follow.unregister()
+
+
+def stage_light(stage: str, file: str) -> list[list[float]]:
+    """Only the environment of a stage; the matrix from the picture's colours to XYZ."""
+    scene = extension.module("scenes").build_stage(stage).scene
+    for obj in scene.objects:
+        obj.hide_render = True
+    render_picture(scene, SIZE, SIZE, 64, file)
+    return extension.space_to_xyz()
