@@ -77,6 +77,8 @@ ColourTarget config_target(const std::string& file, const std::string& name)
 {
     ColourTarget target{name, conversion(file, name), std::nullopt, false};
     if (const auto matrix = matrix_of(target.from_xyz_d65)) {
+        // As in tables; and a batch need not ask another process for each of its colours.
+        target.from_xyz_d65 = [m = *matrix](const Vec3& xyz) { return multiply(m, xyz); };
         const Mat3 to_xyz = inverse(*matrix);
         target.linear = {name, *matrix, to_xyz, chromaticities(to_xyz)};
     }
