@@ -17,4 +17,7 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/cpp_tools/include/nacre"
 install(EXPORT NacreTargets NAMESPACE Nacre:: DESTINATION "${package_destination}")
 install(FILES "${PROJECT_BINARY_DIR}/NacreConfig.cmake"
               "${PROJECT_BINARY_DIR}/NacreConfigVersion.cmake"
+              "${CMAKE_CURRENT_LIST_DIR}/FindLibYAML.cmake"
         DESTINATION "${package_destination}")
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/cpp_tools/THIRD_PARTY.md"
+        DESTINATION "${CMAKE_INSTALL_DOCDIR}")

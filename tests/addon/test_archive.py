@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 import re
 import subprocess
@@ -28,11 +29,30 @@ def test_archive_carries_the_version_and_the_materials(archive):
     assert not any("__pycache__" in name for name in names)
 
 
-def test_shipped_archive_is_light():
-    archive = os.environ.get("NACRE_EXTENSION")
-    if archive is None:
+@pytest.fixture(scope="module")
+def shipped() -> Path:
+    if "NACRE_EXTENSION" not in os.environ:
         pytest.skip("NACRE_EXTENSION names no archive with all materials and a wheel")
-    assert Path(archive).stat().st_size <= 25e6
+    return Path(os.environ["NACRE_EXTENSION"])
+
+
+def test_shipped_archive_is_light(shipped):
+    assert shipped.stat().st_size <= 25e6
+
+
+def test_shipped_archive_states_whose_libraries_it_carries(shipped):
+    with zipfile.ZipFile(shipped) as extension:
+        (wheel,) = [name for name in extension.namelist() if name.endswith(".whl")]
+        with zipfile.ZipFile(io.BytesIO(extension.read(wheel))) as files:
+            carried = {
+                match[1]
+                for name in files.namelist()
+                if (match := re.search(r"\.libs/(lib\w+)", name))
+            }
+            (notices,) = [name for name in files.namelist() if name.endswith("THIRD_PARTY.md")]
+            text = files.read(notices).decode()
+    assert carried
+    assert carried <= set(re.findall(r"\((lib\w+)\)", text))
 
 
 def test_manifest_states_the_project_version():

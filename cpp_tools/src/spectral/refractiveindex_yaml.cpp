@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <yaml-cpp/depthguard.h>
-#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 #include <optional>
@@ -13,6 +11,7 @@
 #include "nacre/core/diagnostics.h"
 #include "tabulated_index.h"
 #include "text_lines.h"
+#include "yaml_tree.h"
 
 namespace nacre::spectral {
 
@@ -30,26 +29,20 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text)
     return numbers;
 }
 
-int line_of(const YAML::Mark& mark)
-{
-    return mark.is_null() ? 0 : mark.line + 1;
-}
-
 /// Reads DATA and collects all that is wrong with it.
 class DataReader {
 public:
     explicit DataReader(const std::string& name) : name_(name), problems_(name) {}
 
-    MeasuredIndex read(const YAML::Node& root)
+    MeasuredIndex read(const YamlNode& root)
     {
-        const YAML::Node data = root.IsMap() ? root["DATA"] : YAML::Node();
-        if (!data.IsDefined() || !data.IsSequence() || data.size() == 0) {
-            add(line_of(data.IsDefined() ? data.Mark() : root.Mark()), "DATA",
-                "must be a list of tables and formulas");
+        const YamlNode* const data = root.find("DATA");
+        if (!data || data->items.empty()) {
+            add(data ? data->line : root.line, "DATA", "must be a list of tables and formulas");
         } else {
-            for (std::size_t i = 0; i < data.size(); ++i)
-                read_entry(data[i], fmt::format("DATA[{}]", i));
-            if (problems_.empty() && !n_) add(line_of(data.Mark()), "DATA", "must state n");
+            for (std::size_t i = 0; i < data->items.size(); ++i)
+                read_entry(*data->items[i], fmt::format("DATA[{}]", i));
+            if (problems_.empty() && !n_) add(data->line, "DATA", "must state n");
         }
         problems_.throw_if_any();
         extend_clear_ends();
@@ -65,14 +58,14 @@ private:
         problems_.add(line, std::move(field), std::move(message));
     }
 
-    void read_entry(const YAML::Node& entry, const std::string& field)
+    void read_entry(const YamlNode& entry, const std::string& field)
     {
-        const YAML::Node type = entry.IsMap() ? entry["type"] : YAML::Node();
-        if (!type.IsDefined() || !type.IsScalar()) {
-            add(line_of(entry.Mark()), field + ".type", "is missing");
+        const YamlNode* const type = entry.find("type");
+        if (!type || !type->is_text()) {
+            add(entry.line, field + ".type", "is missing");
             return;
         }
-        const std::string& kind = type.Scalar();
+        const std::string& kind = type->text;
         if (kind == "tabulated n") {
             read_table(entry, field, true, false);
         } else if (kind == "tabulated k") {
@@ -83,7 +76,7 @@ private:
                    kind[8] <= '9') {
             read_formula(entry, field, kind[8] - '0');
         } else {
-            add(line_of(type.Mark()), field + ".type",
+            add(type->line, field + ".type",
                 fmt::format("must be 'tabulated n', 'tabulated k', 'tabulated nk' or "
                             "'formula 1' … 'formula 9' (got '{}')",
                             excerpt(kind)));
@@ -96,17 +89,17 @@ private:
         std::vector<double> numbers;
     };
 
-    std::vector<Row> rows_of(const YAML::Node& entry, const std::string& field, const char* key)
+    std::vector<Row> rows_of(const YamlNode& entry, const std::string& field, const char* key)
     {
-        const YAML::Node node = entry[key];
+        const YamlNode* const node = entry.find(key);
         const std::string path = fmt::format("{}.{}", field, key);
-        if (!node.IsDefined() || !node.IsScalar()) {
-            add(line_of(entry.Mark()), path, "is missing");
+        if (!node || !node->is_text()) {
+            add(entry.line, path, "is missing");
             return {};
         }
-        const std::string& text = node.Scalar();
+        const std::string& text = node->text;
         // The mark of a block (`|`) is that of its indicator; its text starts a line below.
-        int line = line_of(node.Mark()) + (text.find('\n') != std::string::npos ? 1 : 0);
+        int line = node->line + (text.find('\n') != std::string::npos ? 1 : 0);
         std::vector<Row> rows;
         for (std::size_t at = 0; at < text.size(); ++line) {
             const std::size_t end = std::min(text.find('\n', at), text.size());
@@ -122,11 +115,11 @@ private:
         return rows;
     }
 
-    void read_table(const YAML::Node& entry, const std::string& field, bool has_n, bool has_k)
+    void read_table(const YamlNode& entry, const std::string& field, bool has_n, bool has_k)
     {
         const std::string path = field + ".data";
         std::vector<Row> given = rows_of(entry, field, "data");
-        if (given.empty() && problems_.empty()) add(line_of(entry.Mark()), path, "must have rows");
+        if (given.empty() && problems_.empty()) add(entry.line, path, "must have rows");
         std::vector<IndexRow> rows;
         for (const auto& [line, numbers] : given) {
             const std::size_t wanted = has_n && has_k ? 3 : 2;
@@ -182,7 +175,7 @@ private:
         table.values.push_back(value);
     }
 
-    void read_formula(const YAML::Node& entry, const std::string& field, int number)
+    void read_formula(const YamlNode& entry, const std::string& field, int number)
     {
         const auto range = numbers_of(entry, field, "wavelength_range");
         const auto coefficients = numbers_of(entry, field, "coefficients");
@@ -204,13 +197,12 @@ private:
             entry, field);
     }
 
-    std::optional<Row> numbers_of(const YAML::Node& entry, const std::string& field,
-                                  const char* key)
+    std::optional<Row> numbers_of(const YamlNode& entry, const std::string& field, const char* key)
     {
         std::vector<Row> rows = rows_of(entry, field, key);
         if (rows.empty()) {
             if (problems_.empty())
-                add(line_of(entry[key].Mark()), fmt::format("{}.{}", field, key), "is empty");
+                add(entry.find(key)->line, fmt::format("{}.{}", field, key), "is empty");
             return std::nullopt;
         }
         for (std::size_t i = 1; i < rows.size(); ++i)
@@ -220,7 +212,7 @@ private:
     }
 
     template <typename Source>
-    void set_n(Source source, const YAML::Node& entry, const std::string& field)
+    void set_n(Source source, const YamlNode& entry, const std::string& field)
     {
         if (n_)
             compare_n(source, entry, field);
@@ -230,7 +222,7 @@ private:
 
     /// A file may have a formula and the numbers that it gives: the first counts where both agree.
     template <typename Source>
-    void compare_n(const Source& second, const YAML::Node& entry, const std::string& field)
+    void compare_n(const Source& second, const YamlNode& entry, const std::string& field)
     {
         constexpr double kAlike = 1e-3;
         if constexpr (std::is_same_v<Source, IndexTable>) {
@@ -238,14 +230,14 @@ private:
                 const auto first = first_n_at(second.wavelengths_um[i]);
                 if (first && std::abs(*first - second.values[i]) <= kAlike) continue;
                 if (first)
-                    add(line_of(entry.Mark()), field,
+                    add(entry.line, field,
                         fmt::format("n is stated twice, and not alike: {:g} and {:g} at {:g} µm",
                                     *first, second.values[i], second.wavelengths_um[i]));
                 if (first) return;
             }
             changes_.push_back(field + ": n is stated twice and alike, the first counts");
         } else {
-            add(line_of(entry.Mark()), field, "n is stated twice");
+            add(entry.line, field, "n is stated twice");
         }
     }
 
@@ -286,9 +278,9 @@ private:
         }
     }
 
-    void set_k(IndexTable table, const YAML::Node& entry, const std::string& field)
+    void set_k(IndexTable table, const YamlNode& entry, const std::string& field)
     {
-        if (k_) add(line_of(entry.Mark()), field, "k is stated twice");
+        if (k_) add(entry.line, field, "k is stated twice");
         k_ = std::move(table);
     }
 
@@ -299,20 +291,19 @@ private:
     std::vector<std::string> changes_;
 };
 
-std::string text_of(const YAML::Node& root, const char* key)
+std::string text_of(const YamlNode& root, const char* key)
 {
-    const YAML::Node node = root[key];
-    return node.IsDefined() && node.IsScalar() ? plain_text(node.Scalar()) : std::string();
+    const YamlNode* const node = root.find(key);
+    return node && node->is_text() ? plain_text(node->text) : std::string();
 }
 
 /// The scalars of a list; what is no list of scalars is no business of optics and is passed over.
-std::vector<std::string> texts_of(const YAML::Node& root, const char* key)
+std::vector<std::string> texts_of(const YamlNode& root, const char* key)
 {
     std::vector<std::string> texts;
-    const YAML::Node list = root[key];
-    if (!list.IsDefined() || !list.IsSequence()) return texts;
-    for (const YAML::Node& item : list)
-        if (item.IsScalar()) texts.push_back(plain_text(item.Scalar()));
+    if (const YamlNode* const list = root.find(key))
+        for (const YamlNode* item : list->items)
+            if (item->is_text()) texts.push_back(plain_text(item->text));
     return texts;
 }
 
@@ -322,33 +313,25 @@ Medium parse_refractiveindex_yaml(std::string_view text, std::string_view name)
 {
     const std::string file(name);
     check_size(text, file);
-    try {
-        // Aliases are shared nodes in yaml-cpp, never copies, and its parser limits the depth.
-        const YAML::Node root = YAML::Load(std::string(text));
-        Medium medium{.key = file,
-                      .name = file,
-                      .references = {},
-                      .comments = {},
-                      .formula = {},
-                      .tags = {},
-                      .changes = {},
-                      .constants = {}};
-        DataReader reader(file);
-        medium.constants = measured_constants(reader.read(root));
-        medium.changes = std::move(reader).changes();
-        medium.references = text_of(root, "REFERENCES");
-        medium.comments = text_of(root, "COMMENTS");
-        medium.formula = text_of(root, "FORMULA");
-        medium.tags = texts_of(root, "TAGS");
-        if (auto names = texts_of(root, "NAMES"); !names.empty())
-            medium.name = std::move(names.front());
-        return medium;
-    } catch (const YAML::DeepRecursion& error) {
-        throw InputError(
-            {file, line_of(error.mark), {}, "must not be nested deeper than 499 levels"});
-    } catch (const YAML::Exception& error) {
-        throw InputError({file, line_of(error.mark), {}, "is not valid YAML: " + error.msg});
-    }
+    const YamlTree tree(text, file);
+    Medium medium{.key = file,
+                  .name = file,
+                  .references = {},
+                  .comments = {},
+                  .formula = {},
+                  .tags = {},
+                  .changes = {},
+                  .constants = {}};
+    DataReader reader(file);
+    medium.constants = measured_constants(reader.read(tree.root()));
+    medium.changes = std::move(reader).changes();
+    medium.references = text_of(tree.root(), "REFERENCES");
+    medium.comments = text_of(tree.root(), "COMMENTS");
+    medium.formula = text_of(tree.root(), "FORMULA");
+    medium.tags = texts_of(tree.root(), "TAGS");
+    if (auto names = texts_of(tree.root(), "NAMES"); !names.empty())
+        medium.name = std::move(names.front());
+    return medium;
 }
 
 }  // namespace nacre::spectral

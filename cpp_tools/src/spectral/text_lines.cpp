@@ -160,6 +160,20 @@ void append_utf8(std::string& text, std::uint32_t c)
 
 }  // namespace
 
+std::string readable_lines(std::string_view text)
+{
+    std::string readable;
+    readable.reserve(text.size());
+    while (!text.empty()) {
+        const std::size_t length = utf8_length(text);
+        const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
+        const bool spacing = character == "\t" || character == "\n" || character == "\r";
+        readable += length > 0 && (spacing || !is_control(character)) ? character : "?";
+        text.remove_prefix(character.size());
+    }
+    return readable;
+}
+
 std::string utf8_of_utf16(std::string_view text)
 {
     const auto byte = [text](std::size_t i) -> std::uint32_t {

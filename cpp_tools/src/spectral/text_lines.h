@@ -49,6 +49,10 @@ private:
 /// The same on one line and in UTF-8: control characters become spaces, other bytes `?`.
 [[nodiscard]] std::string clean_text(std::string_view text);
 
+/// The whole in UTF-8, tabs and line ends as they are: other control characters and bytes that are
+/// no UTF-8 become `?`.
+[[nodiscard]] std::string readable_lines(std::string_view text);
+
 /// UTF-8 of a text in UTF-16, by its byte order mark or a zero in its first two bytes; empty for
 /// any other text. What is no character becomes U+FFFD.
 [[nodiscard]] std::string utf8_of_utf16(std::string_view text);

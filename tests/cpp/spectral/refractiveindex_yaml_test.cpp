@@ -271,6 +271,43 @@ TEST(RefractiveIndexYaml, ReadsTextAndNames)
     EXPECT_EQ(parse(table_yaml("n", "        0.4 1.5\n")).name, "test.yml");
 }
 
+TEST(RefractiveIndexYaml, ReadsWhatEditorsAndOldToolsWrite)
+{
+    const std::string rows = "        0.4 1.5\n        0.7 1.25\n";
+    const auto index = [](const std::string& text) { return parse(text).constants->at(550.0); };
+    const auto with_comment = [&](const std::string& comment) {
+        return "COMMENTS: \"" + comment + "\"\n" + table_yaml("n", rows);
+    };
+    const std::string plain = with_comment("Schott");
+    std::string dos, utf16 = "\xff\xfe";
+    for (const char c : plain) {
+        dos += c == '\n' ? "\r\n" : std::string(1, c);
+        utf16 += {c, '\0'};
+    }
+    for (const std::string& text : {plain, dos, utf16, "\xef\xbb\xbf" + plain, "---\n" + plain,
+                                    "%YAML 1.2\n---\n" + plain, plain + "...\n---\nDATA: 1\n"}) {
+        SCOPED_TRACE(text);
+        EXPECT_DOUBLE_EQ(index(text).real(), 1.375);
+        EXPECT_EQ(parse(text).comments, "Schott");
+    }
+    // Latin-1 in a comment, and control characters.
+    EXPECT_EQ(parse(with_comment("M\xfcller")).comments, "M?ller");
+    EXPECT_EQ(parse(with_comment("a\x01z")).comments, "a?z");
+    EXPECT_EQ(parse(with_comment("M\xc3\xbcller")).comments, "M\xc3\xbcller");
+    // One table under two names, and a name that is said twice.
+    EXPECT_DOUBLE_EQ(
+        index("X: &rows |\n" + rows + "DATA:\n  - type: tabulated n\n    data: *rows\nDATA: 7\n")
+            .real(),
+        1.375);
+    EXPECT_EQ(parse("COMMENTS: ~\n" + table_yaml("n", rows)).comments, "");
+    EXPECT_EQ(parse("COMMENTS: \"~\"\n" + table_yaml("n", rows)).comments, "~");
+    // A list that holds itself.
+    EXPECT_INPUT_ERROR(parse("DATA: &me [*me]\n"), "test.yml:1: DATA[0].type: is missing");
+    EXPECT_INPUT_ERROR(parse(""), "test.yml: DATA: must be a list");
+    EXPECT_INPUT_ERROR(parse("# nothing\n"), "test.yml: DATA: must be a list");
+    EXPECT_INPUT_ERROR(parse("DATA:\n  - type: ~\n"), "test.yml:2: DATA[0].type: is missing");
+}
+
 TEST(RefractiveIndexYaml, SaysWhatDataMustBe)
 {
     const char* const list = "DATA: must be a list of tables and formulas";
@@ -301,7 +338,9 @@ TEST(RefractiveIndexYaml, RefusesWhatIsNotYaml)
 {
     EXPECT_INPUT_ERROR(parse("DATA: [1, 2"), "test.yml:1: is not valid YAML");
     EXPECT_INPUT_ERROR(parse("a: b\nDATA:\n\t- type: x\n"), "test.yml:3: is not valid YAML");
-    EXPECT_INPUT_ERROR(parse("DATA: *nothing\n"), "is not valid YAML");
+    EXPECT_INPUT_ERROR(parse("a: 1\nDATA: *nothing\n"),
+                       "test.yml:2: is not valid YAML: nothing is called 'nothing'");
+    EXPECT_INPUT_ERROR(parse("a: 1\nDATA: \xef\xbf\xbf\n"), "test.yml:2: is not valid YAML");
     const std::string whole = table_yaml("n", "        0.4 1.5\n        0.5 1.6\n");
     for (std::size_t length = 0; length + 1 < whole.size(); ++length) {
         try {  // a truncated file is refused or is a shorter table, never anything else
@@ -344,12 +383,12 @@ TEST(RefractiveIndexYaml, SurvivesHostileInput)
                        "must not be larger than 16777216 bytes");
     for (const char open : {'[', '{'})
         EXPECT_INPUT_ERROR(parse("DATA: " + std::string(200000, open)),
-                           "must not be nested deeper than 499 levels");
+                           "must not be nested deeper than 64 levels");
     const auto nested = [](std::size_t lists) {
         return "X: " + std::string(lists, '[') + std::string(lists, ']') + "\n";
     };
-    EXPECT_INPUT_ERROR(parse(nested(498)), "DATA: must be");
-    EXPECT_INPUT_ERROR(parse(nested(499)), "must not be nested deeper than 499 levels");
+    EXPECT_INPUT_ERROR(parse(nested(63)), "DATA: must be");
+    EXPECT_INPUT_ERROR(parse(nested(64)), "must not be nested deeper than 64 levels");
     EXPECT_INPUT_ERROR(parse(table_yaml("n", "        \xc3\x84" + std::string(200, 'x') + "\n")),
                        "must be numbers (got 'Ä" + std::string(58, 'x') + "…')");
     EXPECT_INPUT_ERROR(parse(std::string("\0\xff\xfe", 3)), "test.yml");
