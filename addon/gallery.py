@@ -110,14 +110,15 @@ def _film_lines(folder: Path, material: CompiledMaterial) -> list[str]:
     stack = read_stack(material.template)
     varies = stack.varying is not None or stack.has_scale
     height, width = _SWATCH if varies else (1, _SWATCH[1])
-    table = nacre.preview_tables(material.template, {"R": (height, width)})["R"]
+    light = material.conditions._asdict()
+    table = nacre.preview_tables(material.template, {"R": (height, width)}, **light)["R"]
     name = f"{material.id}_swatch.png"
     _save(folder / name, plot.swatch(table))
     socket = material.socket("thickness_nm") or material.socket("thickness_scale")
     value = socket.default if socket else 1.0
     dots = []
     for angle in _ANGLES_DEG:
-        rgb = nacre.template_spectrum(material.template, value, angle).colours[0]
+        rgb = nacre.template_spectrum(material.template, value, angle, **light).colours[0]
         code = "#" + "".join(f"{round(255 * channel):02x}" for channel in plot.encode(rgb))
         dots.append(f'<span style="background:{code}" title="{angle}°: {code}"></span>')
     said = [f"{len(stack.layers)} layer{'s' * (len(stack.layers) != 1)}"]

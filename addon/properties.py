@@ -16,7 +16,7 @@ from bpy.props import (
 )
 
 from .core.fields import FIELDS, SHADED
-from .core.light import ILLUMINANTS, OBSERVERS
+from .core.light import AS_COMPILED, ILLUMINANTS, OBSERVERS, menu_item
 from .core.stack import TECHNIQUES as TECHNIQUE_TEXTS
 from .core.stack import Layer, Stack, StackError
 from .nodes import live, views
@@ -222,7 +222,8 @@ def fill(material: bpy.types.Material) -> None:
             item.coherent = layer.coherent
         shown.varying = -1 if stack.varying is None else stack.varying
         shown.low_nm, shown.high_nm = stack.range_nm
-        shown.illuminant, shown.observer = wanted.illuminant, wanted.observer
+        shown.illuminant = menu_item(wanted.conditions.illuminant)
+        shown.observer = wanted.conditions.observer
         shown.technique = stack.technique
         shown.active = min(shown.active, max(0, len(stack.layers) - 1))
     finally:
@@ -233,7 +234,8 @@ def store(material: bpy.types.Material) -> None:
     """Takes what is shown over into the stored template, and makes it visible."""
     shown = material.nacre
     varying = shown.varying if 0 <= shown.varying < len(shown.layers) else None
-    before = stacks.stack_of(material)
+    recipe = stacks.recipe(material)
+    before = stacks.read_stack(recipe.template)
     stack = Stack(
         ambient=shown.ambient,
         layers=[Layer(i.medium, _tidy(i.thickness_nm), i.coherent) for i in shown.layers],
@@ -248,7 +250,14 @@ def store(material: bpy.types.Material) -> None:
     except StackError as error:
         live.refuse(material, str(error))
         return
-    stacks.set_recipe(material, stacks.Recipe(text, shown.illuminant, shown.observer))
+    conditions = recipe.conditions._replace(observer=shown.observer)
+    item = menu_item(conditions.illuminant)
+    if shown.illuminant == AS_COMPILED and item != AS_COMPILED:
+        shown.illuminant = item  # which comes here again
+        return
+    if shown.illuminant != AS_COMPILED:
+        conditions = conditions._replace(illuminant=shown.illuminant)
+    stacks.set_recipe(material, stacks.Recipe(text, conditions))
     live.changed(material)
 
 

@@ -1,10 +1,25 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Light and observer that an edited stack can be computed for, as items of a menu."""
+"""Light and observer that a film's colours are computed for."""
 
 from __future__ import annotations
 
-# The numbers are stored in .blend files: append, never reorder.
+from typing import NamedTuple
+
+
+class Conditions(NamedTuple):
+    """As `nacre.compile_template` takes them, by name."""
+
+    illuminant: str = "D65"
+    observer: str = "cie1931"
+    adaptation: str = "bradford"
+
+
+USUAL = Conditions()
+ADAPTATIONS = ("bradford", "cat16", "none")
+AS_COMPILED = "AS_COMPILED"
+
+# Items of menus. # The numbers are stored in .blend files: append, never reorder.
 ILLUMINANTS = (
     ("D65", "D65", "Daylight", 0),
     ("D50", "D50", "Warm daylight, as in print", 1),
@@ -14,6 +29,7 @@ ILLUMINANTS = (
     ("E", "E", "Equal energy at all wavelengths", 5),
     ("F2", "F2", "Fluorescent lamp, cool white", 6),
     ("F11", "F11", "Fluorescent lamp of three narrow bands", 7),
+    (AS_COMPILED, "As Compiled", "The light that the material was compiled for", 8),
 )
 OBSERVERS = (
     ("cie1931", "CIE 1931", "2 degrees, the usual one", 0),
@@ -21,13 +37,17 @@ OBSERVERS = (
 )
 
 
-def light_problem(illuminant: object, observer: object) -> str:
-    """What is wrong with names from a file, or nothing."""
-    for what, name, items in (
-        ("illuminant", illuminant, ILLUMINANTS),
-        ("observer", observer, OBSERVERS),
-    ):
-        known = [item[0] for item in items]
-        if name not in known:
-            return f"{what}: must be one of {', '.join(known)} (got {name!r})"
+def menu_item(illuminant: str) -> str:
+    return illuminant if illuminant in {item[0] for item in ILLUMINANTS} else AS_COMPILED
+
+
+def conditions_problem(*names: object) -> str:
+    """What is wrong with names from a file, or nothing; the library knows which lights there are."""
+    for what, name in zip(Conditions._fields, names, strict=True):
+        if not isinstance(name, str) or not name:
+            return f"{what}: must be a name (got {name!r})"
+    for index, known in ((1, [item[0] for item in OBSERVERS]), (2, ADAPTATIONS)):
+        if names[index] not in known:
+            what = Conditions._fields[index]
+            return f"{what}: must be one of {', '.join(known)} (got {names[index]!r})"
     return ""

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from .graph import Graph, parse_graph
+from .light import USUAL, Conditions, conditions_problem
 from .space import REC709, Matrix, SpaceError, parse
 
 SCHEMA = 1
@@ -78,6 +79,7 @@ class CompiledMaterial:
     digest: str  # of manifest and shader: what makes two node groups the same
     to_xyz_d65: Matrix = REC709  # of the space that its colours are in
     notes: tuple[str, ...] = ()  # of media that are held where their data end
+    conditions: Conditions = USUAL  # of films
     directory: Path | None = None
     texels: Mapping[str, Any] = field(default_factory=dict)  # float32 (H, W, 3), row 0 on top
 
@@ -183,6 +185,7 @@ def _material(
     graphs = _parse_graphs(data["graphs"], f"{where}: graphs", sockets, tables, problems)
     to_xyz_d65 = _parse_space(data, where, problems)
     notes = _parse_notes(data, where, problems)
+    conditions = _parse_conditions(data, where, problems)
     if problems:
         raise ManifestError("\n".join(problems))
     canonical = json.dumps(data, sort_keys=True) + osl
@@ -207,6 +210,7 @@ def _material(
         digest=hashlib.sha256(canonical.encode()).hexdigest(),
         to_xyz_d65=to_xyz_d65,
         notes=notes,
+        conditions=conditions,
         directory=directory,
         texels=texels,
     )
@@ -232,6 +236,16 @@ def _parse_notes(data: dict[str, Any], where: str, problems: list[str]) -> tuple
         return tuple(ends["note"] for ends in held)
     problems.append(f"{where}: held_ends: must be a list of objects with a note (got {held!r})")
     return ()
+
+
+def _parse_conditions(data: dict[str, Any], where: str, problems: list[str]) -> Conditions:
+    """Older tools always adapt by Bradford's matrix and do not say so."""
+    default = USUAL._asdict()
+    names = [data.get(name, default[name]) for name in Conditions._fields]
+    if problem := conditions_problem(*names):
+        problems.append(f"{where}: {problem}")
+        return USUAL
+    return Conditions(*names)
 
 
 def _parse_sockets(

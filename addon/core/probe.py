@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from .light import Conditions
 from .stack import Stack, StackError, read_stack, write_template
 
 FIRST_NM, LAST_NM = 360, 830
@@ -37,8 +38,7 @@ class Film:
     """The recipe of a film, and what its socket counts in; see nodes/fields.py."""
 
     template: str
-    illuminant: str
-    observer: str
+    conditions: Conditions
     unit_nm: float
     varies: bool
 
@@ -117,7 +117,7 @@ class Probe:
             "thickness_nm": at.thickness_nm if self.kind == "film" else None,
         }
         if self.film is not None:
-            result |= {"illuminant": self.film.illuminant, "observer": self.film.observer}
+            result |= self.film.conditions._asdict()
         for name, light in (("R", self.reflected), ("T", self.transmitted)):
             if light is not None:
                 result[name] = {
@@ -163,9 +163,7 @@ def _lights(reading: Reading, film: Film, name: str) -> tuple[Light, Light | Non
         template = write_template(seen_from_behind(stack))
     value = reading.thickness_nm / film.unit_nm if film.varies else 1.0
     angle = math.degrees(math.acos(min(1.0, reading.cos_theta)))
-    found = nacre.template_spectrum(
-        template, value, angle, name, illuminant=film.illuminant, observer=film.observer
-    )
+    found = nacre.template_spectrum(template, value, angle, name, **film.conditions._asdict())
     reflected = _light(found.reflectance, film)
     return reflected, _light(found.transmittance, film) if lets_through else None
 
@@ -187,9 +185,7 @@ def _light(spectrum: Sequence[float], film: Film) -> Light:
     import nacre
 
     grid = range(FIRST_NM, LAST_NM + 1)
-    colour = nacre.spectrum_to_colour(
-        list(grid), spectrum, illuminant=film.illuminant, observer=film.observer
-    )
+    colour = nacre.spectrum_to_colour(list(grid), spectrum, **film.conditions._asdict())
     return Light(*(tuple(map(float, values)) for values in (spectrum, colour.XYZ, colour.rgb)))
 
 

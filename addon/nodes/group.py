@@ -32,6 +32,7 @@ SCHEMA_VERSION = 2
     RECIPE,
     WAVELENGTHS,
     NOTES,
+    CONDITIONS,
 ) = (
     "nacre_material",
     "nacre_kind",
@@ -44,6 +45,7 @@ SCHEMA_VERSION = 2
     "nacre_recipe",
     "nacre_wavelength_per_path",
     "nacre_notes",
+    "nacre_conditions",
 )
 
 _SOCKET_TYPES = {
@@ -110,6 +112,7 @@ def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> No
     group[TEMPLATE_TEXT] = material.template
     group[WAVELENGTHS] = material.wavelength_per_path and form == OSL
     group[NOTES] = "\n".join(material.notes)
+    group[CONDITIONS] = json.dumps(material.conditions)
     group[SOCKETS] = json.dumps(identifiers_in_order(group, material))
     space.state(group)
 

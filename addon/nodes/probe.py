@@ -146,8 +146,7 @@ def _film(material: bpy.types.Material) -> Film | None:
     thickness = fields.film_thickness(material)
     return Film(
         made_from.template,
-        made_from.illuminant,
-        made_from.observer,
+        made_from.conditions,
         thickness.unit_nm,
         varies=thickness.socket is not None,
     )

@@ -9,6 +9,7 @@ errors, fits and shader, is compiled aside a moment later (`finish`, or the time
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache, partial
@@ -16,7 +17,7 @@ from functools import lru_cache, partial
 import bpy
 
 from ..core.library import Library
-from ..core.light import light_problem
+from ..core.light import USUAL, Conditions, conditions_problem
 from ..core.manifest import CompiledMaterial, ManifestError, from_memory
 from ..core.probe import FIRST_NM, LAST_NM
 from ..core.stack import Stack, StackError, parse_medium, read_stack, write_template
@@ -25,7 +26,8 @@ from . import schema, space
 from .image import TABLE, table_pixels
 from .material import describe, group_node, rebuild_material
 
-TEMPLATE, ILLUMINANT, OBSERVER = "nacre_template", "nacre_illuminant", "nacre_observer"
+TEMPLATE = "nacre_template"
+CONDITIONS = Conditions("nacre_illuminant", "nacre_observer", "nacre_adaptation")
 """Custom properties of a material whose stack was edited. The text has the schema in it."""
 
 _LEFT_TO_COMPILE = ("R_further", "R_schlick", "lobe_")
@@ -36,16 +38,11 @@ class Recipe:
     """All that a compiled film depends on."""
 
     template: str
-    illuminant: str = "D65"
-    observer: str = "cie1931"
-
-    @property
-    def colours(self) -> dict[str, str]:
-        return {"illuminant": self.illuminant, "observer": self.observer}
+    conditions: Conditions = USUAL
 
     @property
     def digest(self) -> str:
-        parts = "\0".join((self.template, self.illuminant, self.observer))
+        parts = "\0".join((self.template, *self.conditions))
         return hashlib.sha256(parts.encode()).hexdigest()
 
 
@@ -86,19 +83,33 @@ def recipe(material: bpy.types.Material) -> Recipe:
     """Of the material as it is asked for: its own, or that of the library's material."""
     if is_edited(material):
         template = material[TEMPLATE]
-        light = material.get(ILLUMINANT, "D65"), material.get(OBSERVER, "cie1931")
-        problem = light_problem(*light)
+        names = [
+            material.get(name, default) for name, default in zip(CONDITIONS, USUAL, strict=True)
+        ]
+        problem = conditions_problem(*names)
         if problem or not isinstance(template, str):
             detail = f" ({problem})" if problem else ""
             raise StackError(f"{material.name}: the stored stack is damaged{detail}; revert it")
-        return Recipe(template, *light)
+        return Recipe(template, Conditions(*names))
     tree = group_node(material).node_tree
     text = tree.get(groups.TEMPLATE_TEXT, "")
-    if not text or not isinstance(text, str):
-        text = Library.default().load(tree[groups.MATERIAL]).template
-    if not text:
+    if text and isinstance(text, str):
+        return Recipe(text, _conditions(tree))
+    known = Library.default().load(tree[groups.MATERIAL])
+    if not known.template:
         raise StackError(f"{material.name} was made by an older version: assign it again")
-    return Recipe(text)
+    return Recipe(known.template, known.conditions)
+
+
+def _conditions(tree: bpy.types.NodeTree) -> Conditions:
+    """That the group was compiled for; older ones do not say."""
+    try:
+        names = json.loads(tree[groups.CONDITIONS])
+    except (KeyError, TypeError, ValueError):
+        return USUAL
+    if not isinstance(names, list) or len(names) != len(Conditions._fields):
+        return USUAL
+    return USUAL if conditions_problem(*names) else Conditions(*names)
 
 
 def stack_of(material: bpy.types.Material) -> Stack:
@@ -108,9 +119,22 @@ def stack_of(material: bpy.types.Material) -> Stack:
 def damage(material: bpy.types.Material) -> str:
     """What is wrong with the stored stack, or nothing."""
     try:
-        return _damage(recipe(material).template)
+        wanted = recipe(material)
     except StackError as error:
         return str(error)
+    return _damage(wanted.template) or _unknown_light(wanted.conditions.illuminant)
+
+
+def _unknown_light(name: str) -> str:
+    if library_problem():
+        return ""
+    import nacre
+
+    try:
+        nacre.illuminant(name)
+    except nacre.NacreError as error:
+        return str(error)
+    return ""
 
 
 @lru_cache(maxsize=64)
@@ -125,13 +149,13 @@ def _damage(template: str) -> str:
 def set_recipe(material: bpy.types.Material, wanted: Recipe) -> None:
     """Stores it; `preview` and `finish` make it visible."""
     material[TEMPLATE] = wanted.template
-    material[ILLUMINANT] = wanted.illuminant
-    material[OBSERVER] = wanted.observer
+    for name, value in zip(CONDITIONS, wanted.conditions, strict=True):
+        material[name] = value
 
 
 def set_stack(material: bpy.types.Material, stack: Stack) -> None:
     before = recipe(material)
-    set_recipe(material, Recipe(write_template(stack), before.illuminant, before.observer))
+    set_recipe(material, Recipe(write_template(stack), before.conditions))
 
 
 def is_stale(material: bpy.types.Material) -> bool:
@@ -180,7 +204,7 @@ def library_digest(wanted: Recipe) -> str:
     found = hashlib.sha256()
     for look_up in (
         *(partial(_indices, key) for key in _media_of(wanted.template)),
-        lambda: nacre.illuminant(wanted.illuminant),
+        lambda: nacre.illuminant(wanted.conditions.illuminant),
     ):
         try:
             found.update(look_up().tobytes())
@@ -211,7 +235,7 @@ def _indices(key: str):
 def _quick_tables(wanted: Recipe, sizes: Mapping[str, tuple[int, int]], name: str):
     import nacre
 
-    return nacre.preview_tables(wanted.template, sizes, name, **wanted.colours)
+    return nacre.preview_tables(wanted.template, sizes, name, **wanted.conditions._asdict())
 
 
 def _images(tree: bpy.types.ShaderNodeTree) -> dict[str, bpy.types.Image] | None:
@@ -236,7 +260,7 @@ def compile_recipe(wanted: Recipe, name: str) -> CompiledMaterial:
     import nacre
 
     try:
-        made = nacre.compile_template(wanted.template, name, **wanted.colours)
+        made = nacre.compile_template(wanted.template, name, **wanted.conditions._asdict())
     except nacre.NacreError as error:
         raise ManifestError(str(error)) from error
     return from_memory(made.manifest, made.osl, made.tables)
@@ -262,7 +286,7 @@ def finish(material: bpy.types.Material) -> None:
 def revert(material: bpy.types.Material) -> None:
     """Back to the library's material of this id."""
     compiled = Library.default().load(group_node(material).node_tree[groups.MATERIAL])
-    for name in (TEMPLATE, ILLUMINANT, OBSERVER):
+    for name in (TEMPLATE, *CONDITIONS):
         if name in material:
             del material[name]
     rebuild_material(material, compiled, describe(material).form)

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import bpy
 
+from ..core.light import AS_COMPILED, USUAL, Conditions, menu_item
 from ..nodes import live, stack
 from ..nodes.material import group_node, kind
 from ..nodes.thickness import thickness_socket
@@ -49,6 +50,7 @@ class _StackEditor:
             return
         shown = material.nacre
         _draw_layers(layout, shown)
+        _draw_light(layout, shown, stack.recipe(material).conditions)
         if live.problem(material):
             box = layout.box()
             for line in live.problem(material).splitlines():
@@ -83,9 +85,27 @@ def _draw_layers(layout, shown) -> None:
             fields.prop(layer, "thickness_nm")
     layout.prop(shown, "substrate", icon="TRIA_UP_BAR")
     layout.prop(shown, "technique")
+
+
+def _draw_light(layout, shown, conditions: Conditions) -> None:
     row = layout.row(align=True)
     row.prop(shown, "illuminant", text="")
     row.prop(shown, "observer", text="")
+    unusual = _unusual_light(conditions)
+    if unusual:
+        layout.label(text=unusual, icon="LIGHT")
+
+
+def _unusual_light(conditions: Conditions) -> str:
+    """What the menus do not say."""
+    words = []
+    if menu_item(conditions.illuminant) == AS_COMPILED:
+        words.append(conditions.illuminant)
+    if conditions.adaptation == "none":
+        words.append("its colour is in the tables")
+    elif conditions.adaptation != USUAL.adaptation:
+        words.append(f"adapted by {conditions.adaptation.upper()}")
+    return ", ".join(words)
 
 
 def _draw_colours(layout, material, shown) -> None:

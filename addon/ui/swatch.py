@@ -76,14 +76,18 @@ def _draw_swatch(_library: str, wanted: stack.Recipe, rows: int):
 
     from ..core import plot
 
-    tables = nacre.preview_tables(wanted.template, {"R": (rows, COLUMNS)}, **wanted.colours)
+    tables = nacre.preview_tables(
+        wanted.template, {"R": (rows, COLUMNS)}, **wanted.conditions._asdict()
+    )
     return plot.swatch(tables["R"])
 
 
 def _draw_spectrum(_library: str, wanted: stack.Recipe, value: float, angle_deg: float):
     import nacre
 
-    found = nacre.template_spectrum(wanted.template, value, angle_deg, **wanted.colours)
+    found = nacre.template_spectrum(
+        wanted.template, value, angle_deg, **wanted.conditions._asdict()
+    )
     return _draw_curve(tuple(found.reflectance))
 
 

@@ -85,6 +85,16 @@ def thin_slick(tmp_path_factory) -> str:
 
 
 @pytest.fixture(scope="session")
+def sodium_slick(thin_slick, tmp_path_factory) -> str:
+    """The same under a lamp that no menu offers, whose colour is in the tables."""
+    folder = tmp_path_factory.mktemp("sodium")
+    template = Path(thin_slick).parent / "oil_on_water.toml"
+    light = ("--illuminant", "lamp/hps", "--cat", "none", "--observer", "cie1964")
+    nacre("compile", template, "--quiet", *light, "-o", folder / "library")
+    return str(folder / "library")
+
+
+@pytest.fixture(scope="session")
 def archive(blenders, tmp_path_factory) -> Path:
     """The extension with the fixtures as its materials and without a wheel."""
     folder = tmp_path_factory.mktemp("archive")

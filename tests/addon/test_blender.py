@@ -38,6 +38,10 @@ def test_stack_is_edited(blender, tmp_path, form, thin_slick):
     blender.with_environment(NACRE_MATERIALS=thin_slick).script("stack", tmp_path, form)
 
 
+def test_a_stack_keeps_the_light_that_it_was_compiled_for(blender, tmp_path, sodium_slick):
+    blender.with_environment(NACRE_MATERIALS=sodium_slick).script("compiled_light", tmp_path)
+
+
 def test_other_versions_and_damage(blender, tmp_path, thin_slick):
     blender.with_environment(NACRE_MATERIALS=thin_slick).script("versions", tmp_path)
 

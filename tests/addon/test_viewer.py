@@ -13,6 +13,7 @@ import pytest
 from nacre_extension.core import probe as probes
 from nacre_extension.core.exr import ExrError, read_channels
 from nacre_extension.core.fields import FIELDS
+from nacre_extension.core.light import USUAL
 from nacre_extension.core.probe import Film, Reading, measure, seen_from_behind
 from nacre_extension.core.stack import read_stack, write_template
 from nacre_extension.core.view import frame, height_for
@@ -150,7 +151,7 @@ def reading(cos_theta: float, nm: float = 400.0, is_back: bool = False) -> Readi
 
 
 def film(template: str, unit_nm: float = 1.0, varies: bool = True) -> Film:
-    return Film(template, "D65", "cie1931", unit_nm, varies)
+    return Film(template, USUAL, unit_nm, varies)
 
 
 def test_probe_of_a_soap_film_is_the_multilayer():

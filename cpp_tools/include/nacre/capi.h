@@ -170,6 +170,7 @@ typedef struct nacre_film {
     int varying;     /**< index of a layer; -1: factor on all coherent layers; -2: nothing */
     double min, max; /**< nm, or a factor */
     const char *illuminant, *observer, *space;
+    const char* adaptation; /**< of nacre_colour_options; NULL: "bradford" */
     double tolerance;  /**< dE00; decides the size; 0 with a size: errors are not measured (NaN) */
     int width, height; /**< > 0: this size instead */
     int transmittance; /**< 1: also bake T */
@@ -178,11 +179,14 @@ typedef struct nacre_film {
 
 NACRE_API nacre_status nacre_film_lut(const nacre_film* film, nacre_result** result);
 
-/** Template text to compiled material; `file` is what messages call it. */
+/**
+ * Template text to compiled material; `file` is what messages call it, `adaptation` that of
+ * nacre_colour_options (nacre/capi/colour.h) or NULL.
+ */
 NACRE_API nacre_status nacre_compile_template(const char* text, const char* file,
                                               const char* illuminant, const char* observer,
-                                              const char* space, double tolerance,
-                                              nacre_result** result);
+                                              const char* space, const char* adaptation,
+                                              double tolerance, nacre_result** result);
 
 NACRE_API size_t nacre_result_tables(const nacre_result* result);
 /** The pointers live as long as the result. */

@@ -33,6 +33,7 @@ def compile_template(
     illuminant: str = "D65",
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
+    adaptation: str = "bradford",
     tolerance: float = 0.1,
     strict_range: bool = False,
 ) -> CompiledMaterial:
@@ -47,6 +48,9 @@ def compile_template(
     illuminant, observer, space : str
         Of the tables: a light by name (`nacre.illuminant`), "cie1931" or "cie1964", and
         "lin_rec709_scene", "lin_rec2020_scene", "lin_ap1_scene" or "xyz_d65".
+    adaptation : "bradford", "cat16" or "none"
+        Of the light's white to the space's. None: films alone, and their tables have the colour of
+        the light in them.
     tolerance : float
         Largest CIEDE2000 difference between table and exact colour.
     strict_range : bool
@@ -61,7 +65,7 @@ def compile_template(
     handle = c_void_p()
     check(
         lib.nacre_compile_template(
-            *_texts(template, file, illuminant, observer, space, strict_range),
+            *_texts(template, file, illuminant, observer, space, adaptation, strict_range),
             number(tolerance, "tolerance"),
             ctypes.byref(handle),
         )
@@ -84,6 +88,7 @@ def preview_tables(
     illuminant: str = "D65",
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
+    adaptation: str = "bradford",
     strict_range: bool = False,
 ) -> dict[str, np.ndarray]:
     """New texels for a compiled film whose stack is being edited: quick, errors not stated.
@@ -97,7 +102,7 @@ def preview_tables(
     sizes : mapping
         (height, width) by name of a table, as the compiled material has them. `R_further`,
         `R_schlick` and `lobe_…` are left out of the result.
-    file, illuminant, observer, space, strict_range
+    file, illuminant, observer, space, adaptation, strict_range
         As of `compile_template`.
 
     Returns
@@ -119,7 +124,7 @@ def preview_tables(
     handle = c_void_p()
     check(
         lib.nacre_preview_template(
-            *_texts(template, file, illuminant, observer, space, strict_range),
+            *_texts(template, file, illuminant, observer, space, adaptation, strict_range),
             len(sizes),
             wanted,
             ctypes.byref(handle),
@@ -149,6 +154,7 @@ def template_spectrum(
     illuminant: str = "D65",
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
+    adaptation: str = "bradford",
     strict_range: bool = False,
 ) -> TemplateSpectrum:
     """What the film of a template reflects and lets pass, unpolarised, by its
@@ -163,7 +169,7 @@ def template_spectrum(
         nothing varies it is not looked at.
     angle_deg : float
         In the ambient, in [0, 90).
-    file, illuminant, observer, space, strict_range
+    file, illuminant, observer, space, adaptation, strict_range
         As of `compile_template`.
 
     Raises
@@ -174,7 +180,7 @@ def template_spectrum(
     spectra, colours = np.empty((2, WAVELENGTHS)), np.empty((2, 3))
     check(
         lib.nacre_template_spectrum(
-            *_texts(template, file, illuminant, observer, space, strict_range),
+            *_texts(template, file, illuminant, observer, space, adaptation, strict_range),
             number(value, "value"),
             number(angle_deg, "angle_deg"),
             spectra[0].ctypes.data,
@@ -186,7 +192,13 @@ def template_spectrum(
 
 
 def _texts(
-    template: str, file: str, illuminant: str, observer: str, space: str, strict_range: bool
+    template: str,
+    file: str,
+    illuminant: str,
+    observer: str,
+    space: str,
+    adaptation: str,
+    strict_range: bool,
 ) -> list[bytes]:
     """As C takes them; with `strict_range` of a template whose media need not be held."""
     texts = [
@@ -197,4 +209,4 @@ def _texts(
     ]
     if strict_range:
         check(lib.nacre_template_held_ends(*texts, 1, ctypes.byref(ctypes.c_char_p())))
-    return [*texts, encoded(space, "space")]
+    return [*texts, encoded(space, "space"), encoded(adaptation, "adaptation")]

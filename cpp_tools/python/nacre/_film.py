@@ -91,6 +91,7 @@ def film_lut(
     illuminant: str = "D65",
     observer: str = "cie1931",
     space: str = "lin_rec709_scene",
+    adaptation: str = "bradford",
     strict_range: bool = False,
 ) -> FilmLut:
     """Colour of a stack over the cosine of the angle and a thickness, as a table for a renderer.
@@ -121,6 +122,8 @@ def film_lut(
     illuminant, observer, space : str
         A light by name (`nacre.illuminant`), "cie1931" or "cie1964", and "lin_rec709_scene",
         "lin_rec2020_scene", "lin_ap1_scene" or "xyz_d65".
+    adaptation : "bradford", "cat16" or "none"
+        Of the light's white to the space's. None: the table has the colour of the light in it.
     strict_range : bool
         Whether keys of media whose data end within 360-830 nm are refused; else their ends are held
         (`library.Medium.index_on_grid`).
@@ -164,6 +167,7 @@ def film_lut(
         illuminant=text(illuminant, "illuminant"),
         observer=text(observer, "observer"),
         space=text(space, "space"),
+        adaptation=text(adaptation, "adaptation"),
         tolerance=0.0 if tolerance is None else number(tolerance, "tolerance"),
         width=width,
         height=height,

@@ -10,6 +10,11 @@ namespace nacre::capi {
 
 using spectral::multiply, spectral::Vec3;
 
+spectral::Adaptation adaptation_or_bradford(const char* name)
+{
+    return name ? spectral::adaptation_from_name(name) : spectral::Adaptation::bradford;
+}
+
 ColourMaker::ColourMaker(const nacre_colour_options& options)
     : reflectance_(options.reflectance != 0)
 {
@@ -22,8 +27,7 @@ ColourMaker::ColourMaker(const nacre_colour_options& options)
                            : spectral::GamutMapping::keep;
     if (gamut_ != spectral::GamutMapping::keep && !space_->chromaticities)
         fail("gamut", "must be keep in a space that is not RGB");
-    const auto how = options.adaptation ? spectral::adaptation_from_name(options.adaptation)
-                                        : spectral::Adaptation::bradford;
+    const auto how = adaptation_or_bradford(options.adaptation);
     if (reflectance_) {
         set_light(spectral::named_illuminant(options.illuminant), how);
     } else {

@@ -8,6 +8,9 @@
 
 namespace nacre::capi {
 
+/// Bradford where nothing is said.
+spectral::Adaptation adaptation_or_bradford(const char* name);
+
 /// What is the same for all spectra of a call.
 class ColourMaker {
 public:

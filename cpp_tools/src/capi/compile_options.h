@@ -8,6 +8,7 @@ namespace nacre::capi {
 
 struct ColourNames {
     const char *illuminant, *observer, *space;
+    const char* adaptation = nullptr;
 };
 
 /// For the colours of a template; refuses what is missing.

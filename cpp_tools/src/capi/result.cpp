@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "colour_maker.h"
 #include "compile_options.h"
 #include "guard.h"
 #include "nacre/lut/film_table.h"
@@ -54,9 +55,9 @@ lut::FilmTableRequest film_request(const nacre_film& film)
         request.variation = lut::Variation{.layer = {}, .min = film.min, .max = film.max};
         if (film.varying >= 0) request.variation->layer = static_cast<std::size_t>(film.varying);
     }
-    request.weights = spectral::reflectance_weights(spectral::named_illuminant(film.illuminant),
-                                                    spectral::observer_from_name(film.observer),
-                                                    spectral::colour_space(film.space));
+    request.weights = spectral::reflectance_weights(
+        spectral::named_illuminant(film.illuminant), spectral::observer_from_name(film.observer),
+        spectral::colour_space(film.space), adaptation_or_bradford(film.adaptation));
     if (film.width > 0 || film.height > 0) request.size = {film.width, film.height};
     request.measure_error = !(request.size && film.tolerance == 0.0);
     if (request.measure_error) request.tolerance = film.tolerance;
@@ -89,14 +90,14 @@ nacre_status nacre_film_lut(const nacre_film* film, nacre_result** result)
 }
 
 nacre_status nacre_compile_template(const char* text, const char* file, const char* illuminant,
-                                    const char* observer, const char* space, double tolerance,
-                                    nacre_result** result)
+                                    const char* observer, const char* space, const char* adaptation,
+                                    double tolerance, nacre_result** result)
 {
     using namespace nacre;
     return capi::guarded([&] {
         capi::require(result, "result");
         pipeline::CompileOptions options =
-            capi::compile_options(text, file, {illuminant, observer, space});
+            capi::compile_options(text, file, {illuminant, observer, space, adaptation});
         options.tolerance = tolerance;
         auto compiled = pipeline::compile(material::parse_template(text, file), options);
         *result = new nacre_result{std::move(compiled.id), std::move(compiled.osl),

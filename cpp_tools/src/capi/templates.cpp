@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "colour_maker.h"
 #include "compile_options.h"
 #include "guard.h"
 #include "nacre/material/template.h"
@@ -33,6 +34,7 @@ pipeline::CompileOptions compile_options(const char* text, const char* file,
     options.illuminant = colour.illuminant;
     options.observer = spectral::observer_from_name(colour.observer);
     options.space = colour.space;
+    options.adaptation = adaptation_or_bradford(colour.adaptation);
     return options;
 }
 
@@ -41,14 +43,16 @@ pipeline::CompileOptions compile_options(const char* text, const char* file,
 extern "C" {
 
 nacre_status nacre_preview_template(const char* text, const char* file, const char* illuminant,
-                                    const char* observer, const char* space, size_t count,
-                                    const nacre_table_size* sizes, nacre_result** result)
+                                    const char* observer, const char* space, const char* adaptation,
+                                    size_t count, const nacre_table_size* sizes,
+                                    nacre_result** result)
 {
     using namespace nacre;
     return capi::guarded([&] {
         if (count > 0) capi::require(sizes, "sizes");
         capi::require(result, "result");
-        const auto options = capi::compile_options(text, file, {illuminant, observer, space});
+        const auto options =
+            capi::compile_options(text, file, {illuminant, observer, space, adaptation});
         std::vector<pipeline::TableLayout> layout;
         for (const nacre_table_size& size : std::span(sizes, count)) {
             capi::require(size.name, "sizes.name");
@@ -62,9 +66,9 @@ nacre_status nacre_preview_template(const char* text, const char* file, const ch
 }
 
 nacre_status nacre_template_spectrum(const char* text, const char* file, const char* illuminant,
-                                     const char* observer, const char* space, double value,
-                                     double angle_deg, double* reflectance, double* transmittance,
-                                     double* colours)
+                                     const char* observer, const char* space,
+                                     const char* adaptation, double value, double angle_deg,
+                                     double* reflectance, double* transmittance, double* colours)
 {
     using namespace nacre;
     return capi::guarded([&] {
@@ -76,7 +80,8 @@ nacre_status nacre_template_spectrum(const char* text, const char* file, const c
             capi::fail("angle_deg", fmt::format("must be in [0, 90) (got {})", angle_deg));
         if (!(std::isfinite(value) && value >= 0.0))
             capi::fail("value", fmt::format("must be ≥ 0 and finite (got {})", value));
-        const auto options = capi::compile_options(text, file, {illuminant, observer, space});
+        const auto options =
+            capi::compile_options(text, file, {illuminant, observer, space, adaptation});
         const pipeline::FilmSpectrum spectrum =
             pipeline::film_spectrum(material::parse_template(text, file), options,
                                     std::cos(angle_deg * std::numbers::pi / 180.0), value);

@@ -52,6 +52,11 @@ class Layout:
         self.said.append(name)
         return SimpleNamespace()
 
+    def operator_menu_enum(self, name, choice, text="", **_options):
+        assert choice in getattr(bpy.ops.nacre, name.partition(".")[2]).get_rna_type().properties
+        self.operator(name)
+        self.said.append(text)
+
     def prop(self, owner, name, **_options):
         getattr(owner, name)
 
@@ -178,8 +183,9 @@ for name in (
         assert drawn(), (name, value)
 for name, values in (
     (stack.TEMPLATE, (7, "schema = [", {"a": 1}, "")),
-    (stack.ILLUMINANT, (7, "D99")),
-    (stack.OBSERVER, (7, "cie1492")),
+    (stack.CONDITIONS.illuminant, (7, "D99")),
+    (stack.CONDITIONS.observer, (7, "cie1492")),
+    (stack.CONDITIONS.adaptation, (7, "by eye")),
 ):
     for value in values:
         material = assigned(edit=True)

@@ -191,8 +191,8 @@ n = 1.5
 
 nacre_status compile(const char* text, nacre_result** result)
 {
-    return nacre_compile_template(text, "film.toml", "D65", "cie1931", "lin_rec709_scene", 1.0,
-                                  result);
+    return nacre_compile_template(text, "film.toml", "D65", "cie1931", "lin_rec709_scene", nullptr,
+                                  1.0, result);
 }
 
 TEST(CapiCompile, MakesTextsAndTables)
@@ -235,8 +235,8 @@ TEST(CapiCompile, RefusesNull)
     EXPECT_EQ(error(compile(kTemplate, nullptr)), "result: must not be null");
     const auto call = [&](const char* file, const char* illuminant, const char* observer,
                           const char* space) {
-        return error(
-            nacre_compile_template(kTemplate, file, illuminant, observer, space, 1.0, &result));
+        return error(nacre_compile_template(kTemplate, file, illuminant, observer, space, nullptr,
+                                            1.0, &result));
     };
     EXPECT_EQ(call(nullptr, "D65", "cie1931", "xyz_d65"), "file: must not be null");
     EXPECT_EQ(call("f", nullptr, "cie1931", "xyz_d65"), "illuminant: must not be null");

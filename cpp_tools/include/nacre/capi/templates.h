@@ -7,7 +7,8 @@
 
 /**
  * @file
- * The film of a template while it is edited; the rules of nacre/capi.h hold.
+ * The film of a template while it is edited; the rules of nacre/capi.h hold. `adaptation` is that
+ * of nacre_compile_template().
  */
 
 /* C names are lower case with a prefix. NOLINTBEGIN(readability-identifier-naming) */
@@ -27,8 +28,9 @@ typedef struct nacre_table_size {
  */
 NACRE_API nacre_status nacre_preview_template(const char* text, const char* file,
                                               const char* illuminant, const char* observer,
-                                              const char* space, size_t count,
-                                              const nacre_table_size* sizes, nacre_result** result);
+                                              const char* space, const char* adaptation,
+                                              size_t count, const nacre_table_size* sizes,
+                                              nacre_result** result);
 
 /**
  * What the film of a template reflects and lets pass, unpolarised.
@@ -39,9 +41,9 @@ NACRE_API nacre_status nacre_preview_template(const char* text, const char* file
  */
 NACRE_API nacre_status nacre_template_spectrum(const char* text, const char* file,
                                                const char* illuminant, const char* observer,
-                                               const char* space, double value, double angle_deg,
-                                               double* reflectance, double* transmittance,
-                                               double* colours);
+                                               const char* space, const char* adaptation,
+                                               double value, double angle_deg, double* reflectance,
+                                               double* transmittance, double* colours);
 
 #ifdef __cplusplus
 }
