@@ -9,7 +9,7 @@ import bpy
 from . import properties
 from .nodes import assets as asset_library
 from .nodes import fallback, follow, live, schema, views
-from .operators import assets, assign, fix, passes, picture, probe, stack, thickness
+from .operators import assets, assign, fix, lighting, passes, picture, probe, stack, thickness
 from .ui import panels, preferences, stack_panel, swatch, viewer_panel
 
 _CLASSES = (
@@ -18,6 +18,7 @@ _CLASSES = (
     *assets.CLASSES,
     *assign.CLASSES,
     *fix.CLASSES,
+    *lighting.CLASSES,
     *thickness.CLASSES,
     *stack.CLASSES,
     *passes.CLASSES,

@@ -10,8 +10,8 @@ from pathlib import Path
 import bpy
 from mathutils import Vector
 
-from ..nodes.image import convert_pixels, hold_as_data
-from ..nodes.space import here, to_file
+from ..nodes.lighting import rec709_picture
+from ..nodes.space import here
 
 Point = tuple[float, float, float]
 
@@ -37,7 +37,7 @@ def environment(
     mapping.inputs["Rotation"].default_value[2] = math.radians(turn_deg)
     picture = nodes.new("ShaderNodeTexEnvironment")
     folder = Path(bpy.utils.system_resource("DATAFILES"), "studiolights", "world")
-    picture.image = _light_of_rec709(folder / f"{name}.exr")
+    picture.image = rec709_picture(folder / f"{name}.exr")
     # Left to itself, Cycles looks in 16 times as many directions as there are pixels before each
     # render, which takes longer than a small render does.
     world.cycles.sampling_method = "MANUAL"
@@ -54,17 +54,6 @@ def environment(
     choice.inputs["To Max"].default_value = seen
     links.new(path.outputs["Is Camera Ray"], choice.inputs["Value"])
     links.new(choice.outputs["Result"], background.inputs["Strength"])
-
-
-def _light_of_rec709(file: Path) -> bpy.types.Image:
-    """In the file's space: what a colour config makes of an .exr is its own affair."""
-    image = bpy.data.images.load(str(file))
-    hold_as_data(image)
-    matrix = to_file()
-    if matrix is not None:
-        convert_pixels(image, matrix)
-        image.pack()
-    return image
 
 
 def camera(

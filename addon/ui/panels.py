@@ -11,6 +11,7 @@ import bpy
 from ..core.form import NODES, OSL
 from ..core.problems import find_problems
 from ..nodes import group as groups
+from ..nodes import lighting
 from ..nodes import scene as scene_setup
 from ..nodes.material import describe, group_node, missing_tables, notes
 from ..nodes.thickness import ramp_of, sources_of, thickness_socket
@@ -40,6 +41,7 @@ class _WaveOptics:
         layout.prop(context.scene.nacre, "form", text="New Materials As")
         if node is not None:
             _draw_problems(layout, context, material)
+            _draw_light(layout, context.scene)
             _draw_notes(layout, material)
             _draw_sockets(layout, material, node)
             _draw_sources(layout, material)
@@ -71,6 +73,23 @@ def _draw_problems(layout, context, material) -> None:
         box.label(text=problem.text, icon="ERROR")
         if problem.operator:
             box.operator(problem.operator, text=problem.action)
+
+
+def _draw_light(layout, scene) -> None:
+    """An offer while there is nothing to mirror; the sliders of what was taken."""
+    node = lighting.light_of(scene.world)
+    if node is None:
+        if lighting.is_plain(scene.world):
+            box = layout.box()
+            box.label(text="Films are mirrors, and the world is empty", icon="WORLD")
+            box.operator_menu_enum("nacre.light_scene", "light", text="Light the Scene")
+        return
+    column = layout.box().column(align=True)
+    row = column.row(align=True)
+    row.operator_menu_enum("nacre.light_scene", "light", text=node.label, icon="WORLD")
+    row.operator("nacre.remove_light", text="", icon="X")
+    for socket in node.inputs:
+        column.prop(socket, "default_value", text=socket.name)
 
 
 def _draw_notes(layout, material) -> None:

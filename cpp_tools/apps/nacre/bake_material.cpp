@@ -219,8 +219,8 @@ int write_csv(const MaterialOptions& options, const std::vector<NamedSpectrum>& 
 {
     if (!options.depth.empty())
         throw InputError({options.output, 0, "--depth", "must not be set for a .csv: it is text"});
-    std::vector<std::string> notes;
-    for (const spectral::HeldEnds& ends : held) notes.push_back(ends.note());
+    std::vector<std::string> notes(held.size());
+    std::ranges::transform(held, notes.begin(), &spectral::HeldEnds::note);
     write_text_output(options.output,
                       spectra_csv(spectra, fmt::format("{}", fmt::join(notes, "; "))));
     return kExitOk;
