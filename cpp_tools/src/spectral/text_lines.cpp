@@ -93,15 +93,13 @@ bool same_letters(std::string_view a, std::string_view b) noexcept
 
 std::vector<std::string_view> split_words(std::string_view text)
 {
-    constexpr std::string_view kSpace = " \t\r,";
+    const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; };
     std::vector<std::string_view> words;
-    for (;;) {
-        const std::size_t start = text.find_first_not_of(kSpace);
-        if (start == std::string_view::npos) return words;
-        text.remove_prefix(start);
-        const std::size_t length = std::min(text.find_first_of(kSpace), text.size());
-        words.push_back(text.substr(0, length));
-        text.remove_prefix(length);
+    for (auto at = text.begin();;) {
+        const auto start = std::find_if_not(at, text.end(), is_space);
+        if (start == text.end()) return words;
+        at = std::find_if(start, text.end(), is_space);
+        words.emplace_back(start, at);
     }
 }
 
@@ -162,9 +160,15 @@ void append_utf8(std::string& text, std::uint32_t c)
 
 std::string readable_lines(std::string_view text)
 {
+    const auto is_plain = [](char c) { return (c >= ' ' && c < '\x7F') || c == '\n'; };
     std::string readable;
     readable.reserve(text.size());
-    while (!text.empty()) {
+    for (;;) {
+        const auto plain =
+            static_cast<std::size_t>(std::ranges::find_if_not(text, is_plain) - text.begin());
+        readable += text.substr(0, plain);
+        text.remove_prefix(plain);
+        if (text.empty()) break;
         const std::size_t length = utf8_length(text);
         const std::string_view character = text.substr(0, std::max<std::size_t>(length, 1));
         const bool spacing = character == "\t" || character == "\n" || character == "\r";
