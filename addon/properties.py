@@ -130,7 +130,7 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
         update=_medium_edit("ambient"),
     )
     layers: CollectionProperty(type=NACRE_PG_layer)
-    active: IntProperty(name="Layer")
+    active: IntProperty(name="Layer", description="The layer whose fields are shown below")
     substrate: StringProperty(
         name="Substrate",
         description="What the film lies on",
@@ -138,7 +138,9 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
         search_options={"SUGGESTION"},
         update=_medium_edit("substrate"),
     )
-    varying: IntProperty(default=-1)
+    varying: IntProperty(
+        name="Varying Layer", description="Whose thickness varies; -1: none", default=-1
+    )
     low_nm: FloatProperty(
         name="From (nm)",
         description="Least thickness that the slider and pictures of the thickness can give",
@@ -162,7 +164,12 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
         items=ILLUMINANTS,
         update=_on_edit,
     )
-    observer: EnumProperty(name="Observer", items=OBSERVERS, update=_on_edit)
+    observer: EnumProperty(
+        name="Observer",
+        description="Whose eyes the colours are for",
+        items=OBSERVERS,
+        update=_on_edit,
+    )
     technique: EnumProperty(
         name="Technique",
         description="What the reflectance is computed by; all but the first are for comparison",
@@ -204,7 +211,7 @@ class NACRE_PG_scene(bpy.types.PropertyGroup):
 class NACRE_PG_probe(bpy.types.PropertyGroup):
     """What the last probe found, as JSON; of this session, in no file."""
 
-    json: StringProperty()
+    json: StringProperty(name="JSON", description="All numbers and both spectra")
 
 
 def fill(material: bpy.types.Material) -> None:

@@ -16,6 +16,7 @@ from ..core.form import AUTO, NODES, FormError, choose_form
 from ..core.library import Library
 from ..core.manifest import CompiledMaterial, ManifestError
 from ..core.whole_file import write_whole
+from ..core.words import synonyms
 from . import group as groups
 from . import scene as scene_setup
 from .material import create_material
@@ -45,10 +46,10 @@ def build(folder: Path) -> tuple[int, list[str]]:
     categories: set[str] = set()
     library = Library.default()
     with _only_for_now():
-        for material_id in library.entries():
+        for material_id, entry in library.entries().items():
             try:
                 compiled = library.load(material_id)
-                made.append(_asset(compiled))
+                made.append(_asset(compiled, synonyms(entry)))
             except (ManifestError, FormError) as error:
                 left_out.append(f"{material_id}: {error}")
                 continue
@@ -95,7 +96,7 @@ def _listed(folder: Path) -> bpy.types.UserAssetLibrary | None:
     return next((lib for lib in libraries if Path(lib.path) == folder), None)
 
 
-def _asset(compiled: CompiledMaterial) -> bpy.types.Material:
+def _asset(compiled: CompiledMaterial, words: tuple[str, ...]) -> bpy.types.Material:
     requested = NODES if NODES in compiled.forms else AUTO
     form = choose_form(compiled, requested, scene_setup.renderer(bpy.context.scene))
     material = create_material(compiled, form)
@@ -105,7 +106,7 @@ def _asset(compiled: CompiledMaterial) -> bpy.types.Material:
     data.description = compiled.description
     data.author = NAME
     data.license = "BSD-3-Clause"
-    for tag in (*compiled.tags, compiled.kind, compiled.status):
+    for tag in (*compiled.tags, compiled.kind, compiled.status, *words):
         data.tags.new(tag, skip_if_exists=True)
     picture = thumbnail(compiled.id)
     if picture.is_file():

@@ -12,7 +12,7 @@ from .guard import reports_errors
 
 class NACRE_OT_add_asset_library(bpy.types.Operator):
     bl_idname = "nacre.add_asset_library"
-    bl_label = "Add to Asset Browser"
+    bl_label = "Nacre: Add to Asset Browser"
     bl_description = (
         "Make an asset library of all materials, with catalogues and pictures; they can then be "
         "dragged onto objects"
@@ -35,7 +35,7 @@ class NACRE_OT_add_asset_library(bpy.types.Operator):
 
 class NACRE_OT_remove_asset_library(bpy.types.Operator):
     bl_idname = "nacre.remove_asset_library"
-    bl_label = "Remove from Asset Browser"
+    bl_label = "Nacre: Remove from Asset Browser"
     bl_description = "Take the asset library out of the preferences and delete its file"
 
     @reports_errors

@@ -32,7 +32,7 @@ def material_items(_self, _context):
 
 class NACRE_OT_assign_material(bpy.types.Operator):
     bl_idname = "nacre.assign_material"
-    bl_label = "Assign Wave Material"
+    bl_label = "Nacre: Assign Material"
     bl_description = "Give the selected objects a material whose colour comes from waves"
     bl_options = {"REGISTER", "UNDO"}
     bl_property = "material"

@@ -18,7 +18,7 @@ from .guard import allows_change, reports_errors
 
 class NACRE_OT_use_cycles(bpy.types.Operator):
     bl_idname = "nacre.use_cycles"
-    bl_label = "Use Cycles"
+    bl_label = "Nacre: Use Cycles"
     bl_description = "Render this scene with Cycles"
     bl_options = {"REGISTER", "UNDO"}
 
@@ -30,7 +30,7 @@ class NACRE_OT_use_cycles(bpy.types.Operator):
 
 class NACRE_OT_use_cpu(bpy.types.Operator):
     bl_idname = "nacre.use_cpu"
-    bl_label = "Render on the CPU"
+    bl_label = "Nacre: Render on the CPU"
     bl_description = "Render this scene on the CPU, where Open Shading Language always runs"
     bl_options = {"REGISTER", "UNDO"}
 
@@ -42,7 +42,7 @@ class NACRE_OT_use_cpu(bpy.types.Operator):
 
 class NACRE_OT_use_osl(bpy.types.Operator):
     bl_idname = "nacre.use_osl"
-    bl_label = "Turn On Open Shading Language"
+    bl_label = "Nacre: Turn On Open Shading Language"
     bl_description = "Render this scene with Cycles and Open Shading Language"
     bl_options = {"REGISTER", "UNDO"}
 
@@ -61,7 +61,7 @@ class NACRE_OT_use_osl(bpy.types.Operator):
 
 class NACRE_OT_use_wavelengths(bpy.types.Operator):
     bl_idname = "nacre.use_wavelengths"
-    bl_label = "Turn On Wavelengths"
+    bl_label = "Nacre: Turn On Wavelengths"
     bl_description = (
         "Turn on motion blur with a flat shutter curve, which gives each path a wavelength. "
         "With a shutter of 0 nothing blurs"
@@ -76,12 +76,13 @@ class NACRE_OT_use_wavelengths(bpy.types.Operator):
 
 class NACRE_OT_rebuild_material(bpy.types.Operator):
     bl_idname = "nacre.rebuild_material"
-    bl_label = "Rebuild Material"
+    bl_label = "Nacre: Rebuild Material"
     bl_description = "Make the material's nodes and tables again; values and links are kept"
     bl_options = {"REGISTER", "UNDO"}
 
     form: EnumProperty(
         name="Form",
+        description="Which form the material has afterwards",
         items=(
             ("same", "Same", "The form that the material has", 0),
             ("osl", "Open Shading Language", "Exact colours; Cycles on the CPU or with OptiX", 1),

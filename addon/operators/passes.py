@@ -14,12 +14,13 @@ from .guard import reports_errors
 
 class NACRE_OT_add_aovs(bpy.types.Operator):
     bl_idname = "nacre.add_aovs"
-    bl_label = "Add Passes of Wave Materials"
+    bl_label = "Nacre: Add Passes"
     bl_description = "Let a render have thickness, angle and the like as passes, in every engine"
     bl_options = {"REGISTER", "UNDO"}
 
     fields: EnumProperty(
         name="Passes",
+        description="What the passes hold",
         items=[(item.id, item.name, item.description, 1 << i) for i, item in enumerate(FIELDS)],
         options={"ENUM_FLAG"},
         default={item.id for item in FIELDS},
@@ -37,7 +38,7 @@ class NACRE_OT_add_aovs(bpy.types.Operator):
 
 class NACRE_OT_remove_aovs(bpy.types.Operator):
     bl_idname = "nacre.remove_aovs"
-    bl_label = "Remove Passes of Wave Materials"
+    bl_label = "Nacre: Remove Passes"
     bl_description = "Take the passes and their nodes out of the file again"
     bl_options = {"REGISTER", "UNDO"}
 

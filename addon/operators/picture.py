@@ -75,12 +75,17 @@ class Shot:
 
 class NACRE_OT_viewport_picture(bpy.types.Operator):
     bl_idname = "nacre.viewport_picture"
-    bl_label = "Picture of the Viewport"
+    bl_label = "Nacre: Picture of the Viewport"
     bl_description = "Render what the viewport shows, at any size, into a PNG or EXR file"
 
-    filepath: StringProperty(name="File", subtype="FILE_PATH", default="//viewport.png")
+    filepath: StringProperty(
+        name="File",
+        description="Where the picture goes: .png as it looks, .exr as linear light",
+        subtype="FILE_PATH",
+        default="//viewport.png",
+    )
     filter_glob: StringProperty(default="*.png;*.exr", options={"HIDDEN"})
-    width: IntProperty(name="Width", min=4, max=65536, default=1920)
+    width: IntProperty(name="Width", description="In pixels", min=4, max=65536, default=1920)
     height: IntProperty(
         name="Height", description="0: as the viewport has it", min=0, max=65536, default=0
     )

@@ -21,7 +21,7 @@ def last() -> Probe | None:
 
 class NACRE_OT_probe(bpy.types.Operator):
     bl_idname = "nacre.probe"
-    bl_label = "Probe Film"
+    bl_label = "Nacre: Probe a Point"
     bl_description = (
         "Click a point: thickness, angle, spectrum and exact colour of the film there. Esc cancels"
     )
@@ -79,11 +79,12 @@ def _end(context) -> None:
 
 class NACRE_OT_copy_probe(bpy.types.Operator):
     bl_idname = "nacre.copy_probe"
-    bl_label = "Copy"
+    bl_label = "Nacre: Copy What Was Probed"
     bl_description = "Copy what the probe found to the clipboard"
 
     what: EnumProperty(
         name="What",
+        description="How much of what was found",
         items=(
             ("text", "Text", "All numbers as lines", 0),
             ("json", "JSON", "All numbers and both spectra", 1),
@@ -91,7 +92,7 @@ class NACRE_OT_copy_probe(bpy.types.Operator):
         ),
         default="text",
     )
-    line: IntProperty(name="Line", min=0)
+    line: IntProperty(name="Line", description="Which of the lines, from 0", min=0)
 
     @classmethod
     def poll(cls, _context):

@@ -55,7 +55,7 @@ class _StackOperator(_FilmOperator):
 
 class NACRE_OT_edit_stack(_FilmOperator):
     bl_idname = "nacre.edit_stack"
-    bl_label = "Edit Stack"
+    bl_label = "Nacre: Edit Stack"
     bl_description = "Take this material's layers out of the library and edit them"
 
     @reports_errors
@@ -73,7 +73,7 @@ class NACRE_OT_edit_stack(_FilmOperator):
 
 class NACRE_OT_revert_stack(_StackOperator):
     bl_idname = "nacre.revert_stack"
-    bl_label = "Revert Stack"
+    bl_label = "Nacre: Revert Stack"
     bl_description = "Back to the material of the library; values and links are kept"
 
     @reports_errors
@@ -84,7 +84,7 @@ class NACRE_OT_revert_stack(_StackOperator):
 
 class NACRE_OT_finish_stack(_StackOperator):
     bl_idname = "nacre.finish_stack"
-    bl_label = "Compile Now"
+    bl_label = "Nacre: Compile Now"
     bl_description = "Compile the edited material with its full precision, and wait for it"
 
     @reports_errors
@@ -95,7 +95,7 @@ class NACRE_OT_finish_stack(_StackOperator):
 
 class NACRE_OT_add_layer(_StackOperator):
     bl_idname = "nacre.add_layer"
-    bl_label = "Add Layer"
+    bl_label = "Nacre: Add Layer"
     bl_description = "Add a layer below the active one"
 
     @reports_errors
@@ -115,7 +115,7 @@ class NACRE_OT_add_layer(_StackOperator):
 
 class NACRE_OT_remove_layer(_StackOperator):
     bl_idname = "nacre.remove_layer"
-    bl_label = "Remove Layer"
+    bl_label = "Nacre: Remove Layer"
     bl_description = "Remove the active layer"
 
     @reports_errors
@@ -134,10 +134,17 @@ class NACRE_OT_remove_layer(_StackOperator):
 
 class NACRE_OT_move_layer(_StackOperator):
     bl_idname = "nacre.move_layer"
-    bl_label = "Move Layer"
+    bl_label = "Nacre: Move Layer"
     bl_description = "Move the active layer up or down"
 
-    direction: EnumProperty(items=(("UP", "Up", ""), ("DOWN", "Down", "")))
+    direction: EnumProperty(
+        name="Direction",
+        description="Where to",
+        items=(
+            ("UP", "Up", "Nearer to the ambient"),
+            ("DOWN", "Down", "Nearer to the substrate"),
+        ),
+    )
 
     @reports_errors
     def execute(self, context):
@@ -156,10 +163,10 @@ class NACRE_OT_move_layer(_StackOperator):
 
 class NACRE_OT_vary_layer(_StackOperator):
     bl_idname = "nacre.vary_layer"
-    bl_label = "Vary This Layer"
+    bl_label = "Nacre: Vary This Layer"
     bl_description = "Make this layer's thickness the material's slider; again: no layer"
 
-    index: IntProperty()
+    index: IntProperty(name="Layer", description="Which of the layers, from 0 at the top")
 
     @reports_errors
     def execute(self, context):
@@ -182,10 +189,12 @@ class NACRE_OT_vary_layer(_StackOperator):
 
 class NACRE_OT_save_template(_StackOperator):
     bl_idname = "nacre.save_template"
-    bl_label = "Save Template"
+    bl_label = "Nacre: Save Template"
     bl_description = "Write the stack as a template that the command line compiles and renders"
 
-    filepath: StringProperty(subtype="FILE_PATH")
+    filepath: StringProperty(
+        name="File", description="Where the template goes (.toml)", subtype="FILE_PATH"
+    )
     filter_glob: StringProperty(default="*.toml", options={"HIDDEN"})
 
     def invoke(self, context, _event):
@@ -206,10 +215,12 @@ class NACRE_OT_save_template(_StackOperator):
 
 class NACRE_OT_load_template(_FilmOperator):
     bl_idname = "nacre.load_template"
-    bl_label = "Load Template"
+    bl_label = "Nacre: Load Template"
     bl_description = "Read a film's template into this material"
 
-    filepath: StringProperty(subtype="FILE_PATH")
+    filepath: StringProperty(
+        name="File", description="Template to take the layers from (.toml)", subtype="FILE_PATH"
+    )
     filter_glob: StringProperty(default="*.toml", options={"HIDDEN"})
 
     def invoke(self, context, _event):

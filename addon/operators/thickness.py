@@ -34,12 +34,13 @@ class _ThicknessOperator(bpy.types.Operator):
 
 class NACRE_OT_add_thickness(_ThicknessOperator):
     bl_idname = "nacre.add_thickness"
-    bl_label = "Vary Thickness"
+    bl_label = "Nacre: Vary Thickness"
     bl_description = "Let the film's thickness vary over the surface"
     bl_property = "source"
 
     source: EnumProperty(
         name="Source",
+        description="What the thickness follows",
         items=[(item.id, item.name, item.description, index) for index, item in enumerate(SOURCES)],
     )
     filepath: StringProperty(
@@ -94,7 +95,7 @@ def _paintable(obj: bpy.types.Object) -> str:
 
 class NACRE_OT_remove_thickness(_ThicknessOperator):
     bl_idname = "nacre.remove_thickness"
-    bl_label = "One Thickness"
+    bl_label = "Nacre: One Thickness"
     bl_description = "Take the sources away; the film has one thickness again"
 
     @reports_errors
@@ -105,7 +106,7 @@ class NACRE_OT_remove_thickness(_ThicknessOperator):
 
 class NACRE_OT_animate_thickness(_ThicknessOperator):
     bl_idname = "nacre.animate_thickness"
-    bl_label = "Run with the Scene"
+    bl_label = "Nacre: Run with the Scene"
     bl_description = "Let the scene's frames run the swirl's time"
 
     @reports_errors
@@ -127,7 +128,7 @@ class NACRE_MT_thickness(bpy.types.Menu):
         for item in SOURCES:
             self.layout.operator("nacre.add_thickness", text=item.name).source = item.id
         self.layout.separator()
-        self.layout.operator("nacre.remove_thickness", icon="X")
+        self.layout.operator("nacre.remove_thickness", text="One Thickness", icon="X")
 
 
 CLASSES = (

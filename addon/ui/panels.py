@@ -146,7 +146,9 @@ def _draw_form(layout, node) -> None:
 
 def _draw_menu_entry(self, _context) -> None:
     self.layout.operator_context = "INVOKE_DEFAULT"
-    self.layout.operator("nacre.assign_material", icon="SHADING_RENDERED")
+    self.layout.operator(
+        "nacre.assign_material", text="Assign Wave Material…", icon="SHADING_RENDERED"
+    )
 
 
 def _draw_view_entries(self, _context) -> None:

@@ -32,9 +32,11 @@ class NACRE_preferences(bpy.types.AddonPreferences):
             row.operator(
                 "nacre.add_asset_library", text="Rebuild Asset Library", icon="FILE_REFRESH"
             )
-            row.operator("nacre.remove_asset_library", icon="X")
+            row.operator("nacre.remove_asset_library", text="Remove from Asset Browser", icon="X")
         else:
-            row.operator("nacre.add_asset_library", icon="ASSET_MANAGER")
+            row.operator(
+                "nacre.add_asset_library", text="Add to Asset Browser", icon="ASSET_MANAGER"
+            )
         for category, entries in groupby(library.entries().values(), key=lambda e: e.category):
             names = ", ".join(entry.name for entry in entries)
             split = layout.split(factor=0.25)

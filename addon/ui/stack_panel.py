@@ -42,11 +42,11 @@ class _StackEditor:
         layout = self.layout
         material = context.object.active_material
         if not stack.is_edited(material):
-            layout.operator("nacre.edit_stack", icon="MOD_WAVE")
+            layout.operator("nacre.edit_stack", text="Edit Stack", icon="MOD_WAVE")
             return
         if stack.damage(material):
             layout.label(text="The stored stack cannot be read", icon="ERROR")
-            layout.operator("nacre.revert_stack", icon="LOOP_BACK")
+            layout.operator("nacre.revert_stack", text="Revert Stack", icon="LOOP_BACK")
             return
         shown = material.nacre
         _draw_layers(layout, shown)

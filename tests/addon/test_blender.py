@@ -47,7 +47,7 @@ def test_other_versions_and_damage(blender, tmp_path, thin_slick):
 
 
 @pytest.mark.parametrize(
-    "script", ["linked", "storm", "panels", "paths", "copies", "own_entry", "lighting"]
+    "script", ["linked", "storm", "panels", "paths", "copies", "own_entry", "lighting", "tooltips"]
 )
 def test_bad_input_and_upkeep(blender, tmp_path, script, thin_slick):
     blender.with_environment(NACRE_MATERIALS=thin_slick).script(script, tmp_path)

@@ -15,6 +15,7 @@ extension = load()
 extension.register()
 assets = module("nodes.assets")
 catalogues = module("core.catalogues")
+words = module("core.words")
 library = module("core.library").Library.default()
 materials = module("nodes.material")
 folder = assets.default_folder()
@@ -49,7 +50,8 @@ for material in bpy.data.materials:
     data = material.asset_data
     assert data.catalog_id == catalogues.catalogue_id(entry.category)
     assert data.description == entry.description
-    assert entry.kind in {tag.name for tag in data.tags}
+    tags = {tag.name for tag in data.tags}
+    assert {entry.kind, *entry.tags, *words.synonyms(entry)} <= tags
     assert not materials.missing_tables(material)
     assert tuple(material.preview.image_size) == (256, 256), material.name
     assert materials.describe(material).form == "nodes"  # works wherever it is dragged
