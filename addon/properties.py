@@ -16,10 +16,12 @@ from bpy.props import (
 )
 
 from .core.fields import FIELDS, SHADED
+from .core.library import Library
 from .core.light import AS_COMPILED, ILLUMINANTS, OBSERVERS, menu_item
 from .core.stack import TECHNIQUES as TECHNIQUE_TEXTS
 from .core.stack import Layer, Stack, StackError
-from .nodes import live, views
+from .core.words import finds
+from .nodes import live, thumbnails, views
 from .nodes import stack as stacks
 
 # The numbers are stored in .blend files: append, never reorder.
@@ -208,6 +210,44 @@ class NACRE_PG_scene(bpy.types.PropertyGroup):
     )
 
 
+# Blender keeps no reference to the texts of a computed list of items.
+_found: list[tuple[str, str, str, int, int]] = []
+
+
+def _choices(self, _context):
+    """What the search finds, each with the number that it has among all."""
+    entries = Library.default().entries().values()
+    fresh = [
+        (entry.id, entry.name, entry.description, thumbnails.icon(entry.id), number)
+        for number, entry in enumerate(entries)
+        if finds(entry, self.search)
+    ]
+    if fresh != _found:
+        _found[:] = fresh
+    return _found
+
+
+def _on_search(self, context) -> None:
+    """The first that is found, unless what was chosen is found, too."""
+    found = [item[0] for item in _choices(self, context)]
+    if found and self.choice not in found:
+        self.choice = found[0]
+
+
+class NACRE_PG_browser(bpy.types.PropertyGroup):
+    """Of the side bar; of this session, in no file."""
+
+    search: StringProperty(
+        name="Search",
+        description="A look, a thing or a material: iridescent, burnt, beetle, CD, gasoline …",
+        options={"TEXTEDIT_UPDATE"},
+        update=_on_search,
+    )
+    choice: EnumProperty(name="Material", description="Which material", items=_choices)
+    recent: StringProperty(name="Recent", description="Assigned last, the last one first")
+    favourites: StringProperty(name="Favourites", description="In the order in which they came")
+
+
 class NACRE_PG_probe(bpy.types.PropertyGroup):
     """What the last probe found, as JSON; of this session, in no file."""
 
@@ -273,16 +313,24 @@ def _tidy(number: float) -> float:
     return float(f"{number:.7g}")
 
 
-CLASSES = (NACRE_PG_layer, NACRE_PG_stack, NACRE_PG_scene, NACRE_PG_probe)
+CLASSES = (
+    NACRE_PG_layer,
+    NACRE_PG_stack,
+    NACRE_PG_scene,
+    NACRE_PG_browser,
+    NACRE_PG_probe,
+)
 
 
 def register() -> None:
     bpy.types.Scene.nacre = PointerProperty(type=NACRE_PG_scene)
     bpy.types.Material.nacre = PointerProperty(type=NACRE_PG_stack)
+    bpy.types.WindowManager.nacre = PointerProperty(type=NACRE_PG_browser)
     bpy.types.WindowManager.nacre_probe = PointerProperty(type=NACRE_PG_probe)
 
 
 def unregister() -> None:
     del bpy.types.WindowManager.nacre_probe
+    del bpy.types.WindowManager.nacre
     del bpy.types.Material.nacre
     del bpy.types.Scene.nacre

@@ -8,9 +8,9 @@ import bpy
 
 from . import properties
 from .nodes import assets as asset_library
-from .nodes import fallback, follow, live, schema, views
+from .nodes import fallback, follow, live, schema, thumbnails, views
 from .operators import assets, assign, fix, lighting, passes, picture, probe, stack, thickness
-from .ui import panels, preferences, stack_panel, swatch, viewer_panel
+from .ui import browser, panels, preferences, stack_panel, swatch, viewer_panel
 
 _CLASSES = (
     *properties.CLASSES,
@@ -24,6 +24,7 @@ _CLASSES = (
     *passes.CLASSES,
     *picture.CLASSES,
     *probe.CLASSES,
+    *browser.CLASSES,
     *panels.CLASSES,
     *stack_panel.CLASSES,
     *viewer_panel.CLASSES,
@@ -58,6 +59,7 @@ def unregister() -> None:
     live.unregister()
     schema.unregister()
     swatch.unregister()
+    thumbnails.unregister()
     probe.forget()
     properties.unregister()
     for cls in reversed(_CLASSES):

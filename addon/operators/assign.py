@@ -10,6 +10,7 @@ from bpy.props import BoolProperty, EnumProperty
 from ..core.form import AUTO, NODES, OSL, choose_form
 from ..core.library import Library
 from ..core.manifest import CompiledMaterial
+from ..nodes import chosen, thumbnails
 from ..nodes import scene as scene_setup
 from ..nodes.material import create_material, discard_material
 from ..properties import FORMS
@@ -22,7 +23,7 @@ _items: list[tuple[str, str, str, str, int]] = []
 def material_items(_self, _context):
     entries = Library.default().entries().values()
     fresh = [
-        (entry.id, entry.name, entry.description, "MATERIAL", index)
+        (entry.id, entry.name, entry.description, thumbnails.icon(entry.id) or "MATERIAL", index)
         for index, entry in enumerate(entries)
     ]
     if fresh != _items:
@@ -86,7 +87,31 @@ class NACRE_OT_assign_material(bpy.types.Operator):
         except Exception:
             discard_material(material, compiled)
             raise
+        chosen.remember(compiled.id)
         self.report({"INFO"}, " ".join(_describe(context.scene, compiled, form, targets)))
+        return {"FINISHED"}
+
+
+class NACRE_OT_favourite(bpy.types.Operator):
+    bl_idname = "nacre.favourite"
+    bl_label = "Nacre: Favourite"
+    bl_description = "Keep this material among the favourites, or take it out of them"
+    bl_property = "material"
+
+    material: EnumProperty(name="Material", description="Which material", items=material_items)
+
+    def invoke(self, context, _event):
+        if self.properties.is_property_set("material"):
+            return self.execute(context)
+        context.window_manager.invoke_search_popup(self)
+        return {"RUNNING_MODAL"}
+
+    @reports_errors
+    def execute(self, _context):
+        is_one = chosen.turn_favourite(self.material)
+        name = Library.default().entries()[self.material].name
+        words = "is a favourite now" if is_one else "is no favourite any more"
+        self.report({"INFO"}, f"{name} {words}.")
         return {"FINISHED"}
 
 
@@ -132,4 +157,4 @@ def _put(obj: bpy.types.Object, material: bpy.types.Material, new_slot: bool) ->
     slot.material = material
 
 
-CLASSES = (NACRE_OT_assign_material,)
+CLASSES = (NACRE_OT_assign_material, NACRE_OT_favourite)

@@ -22,7 +22,7 @@ _LINE = 44  # letters of a note that fit into a panel of the usual width
 class _WaveOptics:
     """What both panels show of the active object's active material."""
 
-    bl_label = "Wave Optics"
+    bl_label = "Nacre"
 
     @classmethod
     def poll(cls, context):
@@ -40,12 +40,8 @@ class _WaveOptics:
         row.operator("nacre.assign_material", text=label, icon="SHADING_RENDERED")
         layout.prop(context.scene.nacre, "form", text="New Materials As")
         if node is not None:
-            _draw_problems(layout, context, material)
-            _draw_light(layout, context.scene)
-            _draw_notes(layout, material)
-            _draw_sockets(layout, material, node)
-            _draw_sources(layout, material)
-            _draw_form(layout, node)
+            draw_light(layout, context.scene)
+            draw_material(layout, context)
 
 
 class NACRE_PT_material(_WaveOptics, bpy.types.Panel):
@@ -66,6 +62,17 @@ class NACRE_PT_shader_editor(_WaveOptics, bpy.types.Panel):
         return shows_materials and super().poll(context)
 
 
+def draw_material(layout, context) -> None:
+    """Of the active object's active material, which is a wave material."""
+    material = context.object.active_material
+    node = group_node(material)
+    _draw_problems(layout, context, material)
+    _draw_notes(layout, material)
+    _draw_sockets(layout, material, node)
+    _draw_sources(layout, material)
+    _draw_form(layout, node)
+
+
 def _draw_problems(layout, context, material) -> None:
     state = scene_setup.state(context.scene, missing_tables(material))
     for problem in find_problems(describe(material), state):
@@ -75,14 +82,15 @@ def _draw_problems(layout, context, material) -> None:
             box.operator(problem.operator, text=problem.action)
 
 
-def _draw_light(layout, scene) -> None:
+def draw_light(layout, scene) -> None:
     """An offer while there is nothing to mirror; the sliders of what was taken."""
     node = lighting.light_of(scene.world)
     if node is None:
-        if lighting.is_plain(scene.world):
-            box = layout.box()
-            box.label(text="Films are mirrors, and the world is empty", icon="WORLD")
-            box.operator_menu_enum("nacre.light_scene", "light", text="Light the Scene")
+        if not lighting.is_plain(scene.world):
+            return
+        box = layout.box()
+        box.label(text="Nothing here for films to mirror", icon="WORLD")
+        box.operator_menu_enum("nacre.light_scene", "light", text="Light the Scene")
         return
     column = layout.box().column(align=True)
     row = column.row(align=True)

@@ -7,6 +7,7 @@ from __future__ import annotations
 from itertools import groupby
 
 import bpy
+from bpy.props import StringProperty
 
 from ..core.library import Library
 from ..nodes import assets
@@ -15,6 +16,9 @@ from ..nodes.scene import has_osl
 
 class NACRE_preferences(bpy.types.AddonPreferences):
     bl_idname = __package__.rpartition(".")[0]
+
+    recent: StringProperty(name="Recent", description="Assigned last, the last one first")
+    favourites: StringProperty(name="Favourites", description="In the order in which they came")
 
     def draw(self, _context):
         layout = self.layout

@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import pytest
 
+from support.paths import materials_folder
+
 
 def test_registers_and_unregisters_without_trace(blender):
     blender.script("registration")
@@ -40,6 +42,11 @@ def test_stack_is_edited(blender, tmp_path, form, thin_slick):
 
 def test_a_stack_keeps_the_light_that_it_was_compiled_for(blender, tmp_path, sodium_slick):
     blender.with_environment(NACRE_MATERIALS=sodium_slick).script("compiled_light", tmp_path)
+
+
+def test_side_bar(blender, tmp_path):
+    shipped = str(materials_folder())
+    blender.with_environment(NACRE_MATERIALS=shipped).script("browser", tmp_path)
 
 
 def test_other_versions_and_damage(blender, tmp_path, thin_slick):

@@ -25,11 +25,11 @@ folder = Path(sys.argv[1])
 
 PANELS = [
     cls
-    for name in ("ui.panels", "ui.stack_panel", "ui.viewer_panel")
+    for name in ("ui.browser", "ui.panels", "ui.stack_panel", "ui.viewer_panel")
     for cls in module(name).CLASSES
     if issubclass(cls, bpy.types.Panel)
 ]
-assert len(PANELS) == 8, PANELS
+assert len(PANELS) == 11, PANELS
 
 
 class Layout:
@@ -41,7 +41,7 @@ class Layout:
     def _part(self, *_arguments, **_options):
         return Layout(self.said)
 
-    row = column = box = split = _part
+    row = column = box = split = grid_flow = _part
 
     def label(self, text="", **_options):
         self.said.append(text)
@@ -60,6 +60,9 @@ class Layout:
     def prop(self, owner, name, **_options):
         getattr(owner, name)
 
+    def template_icon_view(self, owner, name, **_options):
+        assert getattr(owner, name) in library.Library.default().entries()
+
     def template_list(self, kind, _id, owner, items, *_arguments, **_options):
         assert hasattr(bpy.types, kind)
         drawn = getattr(bpy.types, kind)
@@ -76,9 +79,14 @@ def drawn() -> list[str]:
     """The words of all panels that want to be shown."""
     said: list[str] = []
     space = SimpleNamespace(tree_type="ShaderNodeTree", shader_type="OBJECT")
-    context = SimpleNamespace(object=bpy.context.object, scene=bpy.context.scene, space_data=space)
+    context = SimpleNamespace(
+        object=bpy.context.object,
+        scene=bpy.context.scene,
+        space_data=space,
+        window_manager=bpy.context.window_manager,
+    )
     for panel in PANELS:
-        if panel.poll(context):
+        if getattr(panel, "poll", lambda _context: True)(context):
             panel.draw(SimpleNamespace(layout=Layout(said)), context)
     return said
 

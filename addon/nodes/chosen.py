@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Materials that were assigned last, and those that are favourites: in the preferences, so that they are
+there tomorrow; of this session where Nacre is not installed as an add-on."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..core.library import Library
+
+MOST_RECENT = 6
+
+
+def _kept():
+    addon = bpy.context.preferences.addons.get(__package__.rpartition(".")[0])
+    return getattr(addon, "preferences", None) or bpy.context.window_manager.nacre
+
+
+def recent() -> list[str]:
+    return _known(_kept().recent)
+
+
+def favourites() -> list[str]:
+    return _known(_kept().favourites)
+
+
+def remember(material_id: str) -> None:
+    others = [other for other in _kept().recent.split() if other != material_id]
+    _kept().recent = " ".join([material_id, *others][:MOST_RECENT])
+
+
+def turn_favourite(material_id: str) -> bool:
+    """Returns whether it is one now."""
+    kept = _kept().favourites.split()
+    is_one = material_id not in kept
+    kept = [*kept, material_id] if is_one else [other for other in kept if other != material_id]
+    _kept().favourites = " ".join(kept)
+    return is_one
+
+
+def _known(text: str) -> list[str]:
+    """Without those that the library has no more."""
+    entries = Library.default().entries()
+    return [material_id for material_id in text.split() if material_id in entries]

@@ -1,0 +1,66 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""The side bar: what is typed chooses, what was assigned is remembered, favourites stay."""
+
+from __future__ import annotations
+
+import bpy
+from steps import new_file, refused
+
+from jobs.extension import load, module
+
+extension = load()
+extension.register()
+chosen = module("nodes.chosen")
+thumbnails = module("nodes.thumbnails")
+words = module("core.words")
+entries = module("core.library").Library.default().entries()
+browser = bpy.context.window_manager.nacre
+
+# All of them at first, each with its picture.
+assert list(entries) == [item[0] for item in module("properties")._choices(browser, None)]
+assert browser.choice in entries
+# Without a window pictures are read but have no icons.
+assert set(thumbnails._collections[0]) == set(entries)
+assert thumbnails.icon("nothing") == 0
+
+# What is typed finds, and chooses the first unless what is chosen is found as well.
+for word in ("oil", "OIL on wat", "gasoline", "thin film", "disc"):
+    browser.search = word
+    found = [entry.id for entry in entries.values() if words.finds(entry, word)]
+    assert browser.choice == (kept if (kept := browser.choice) in found else found[0]), word
+browser.search = "disc"
+kept = browser.choice
+browser.search = ""
+assert browser.choice == kept
+browser.search = "spaghetti"
+assert browser.choice not in entries
+browser.search = ""
+assert browser.choice in entries
+
+# Remembered, the last one first, each once, and no more than there is room for.
+cube = new_file()
+browser = bpy.context.window_manager.nacre
+names = list(entries)[:9]
+for name in [*names, *names[:2]]:
+    bpy.ops.nacre.assign_material(
+        material=name, form="nodes" if entries[name].kind == "film" else "osl"
+    )
+assert chosen.recent()[:2] == [names[1], names[0]]
+assert len(chosen.recent()) == len(set(chosen.recent())) <= chosen.MOST_RECENT
+cube.select_set(False)
+bpy.context.view_layer.objects.active = None
+refused(lambda: bpy.ops.nacre.assign_material(material=name), "poll()")
+
+# There and back; what a library has no more is not shown, and not forgotten.
+first, second = names[:2]
+assert bpy.ops.nacre.favourite(material=first) == {"FINISHED"}
+assert bpy.ops.nacre.favourite(material=second) == {"FINISHED"}
+assert chosen.favourites() == [first, second]
+chosen._kept().favourites += " of_a_larger_library"
+assert chosen.favourites() == [first, second]
+assert bpy.ops.nacre.favourite(material=first) == {"FINISHED"}
+assert chosen.favourites() == [second]
+assert "of_a_larger_library" in chosen._kept().favourites
+extension.unregister()
+assert not hasattr(bpy.types.WindowManager, "nacre")
