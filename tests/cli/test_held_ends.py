@@ -18,6 +18,7 @@ NOTE = (
 )
 HELD = {"medium": ENDS, "range_nm": [400, 700], "percent": pytest.approx(0.0402, abs=5e-5)}
 REFUSED = "must be within the data, 400 … 700 nm (got 360); without --strict-range"
+IN_COLOURS = "in colours"
 NEEDED = "must be within the data, 430 … 1530 nm (got 400); what is needed is 400 … 700 nm"
 
 
@@ -160,13 +161,13 @@ def test_records_say_what_is_held(nacre):
 
 
 def test_the_library_says_what_is_held_in_colours(nacre):
-    assert f"\nin colours: {NOTE}\n" in nacre.ok("library", "show", ENDS)
+    assert f"\n{IN_COLOURS}: {NOTE}\n" in nacre.ok("library", "show", ENDS)
     shown = json.loads(nacre.ok("library", "show", ENDS, "--json"))
     assert shown["held_ends"] == {**HELD, "note": NOTE}
-    assert f"\nin colours: refused: {NEEDED}" in nacre.ok("library", "show", SHORT)
+    assert f"\n{IN_COLOURS}: refused: {NEEDED}" in nacre.ok("library", "show", SHORT)
     for key in ("Ag/Johnson", "air", SHORT):
         assert json.loads(nacre.ok("library", "show", key, "--json"))["held_ends"] is None
-    assert "in colours" not in nacre.ok("library", "show", "Ag/Johnson")
+    assert IN_COLOURS not in nacre.ok("library", "show", "Ag/Johnson")
     # One wavelength outside stays an error.
     error = nacre.fails("library", "show", ENDS, "--at", 380)
     assert f"{ENDS}: wavelength_nm: must be within the data, 400 … 700 nm (got 380)" in error

@@ -177,9 +177,8 @@ Materials read_materials(const Session& session, const MaterialOptions& options,
                          const ResolvedTableOptions& table)
 {
     const auto light = spectral::named_illuminant(table.provenance.illuminant);
-    const auto weights =
-        reflectance_weights(light, table.provenance.observer, table.provenance.space,
-                            table.provenance.adaptation);
+    const auto weights = reflectance_weights(light, table.provenance.observer,
+                                             table.provenance.space, table.provenance.adaptation);
     Materials all;
     for (std::size_t i = 0; i < options.inputs.size(); ++i) {
         const Medium medium = read_medium(session, options.inputs[i]);
