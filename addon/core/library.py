@@ -8,7 +8,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
-from .manifest import CompiledMaterial, ManifestError, load_folder, read_manifest
+from .manifest import FORMS, CompiledMaterial, ManifestError, load_folder, read_manifest
 
 ENVIRONMENT = "NACRE_MATERIALS"
 
@@ -23,6 +23,7 @@ class Entry:
     description: str
     kind: str
     tags: tuple[str, ...] = ()
+    forms: tuple[str, ...] = FORMS
 
 
 class Library:
@@ -96,4 +97,5 @@ def _entry(folder: Path) -> Entry | None:
         description=data["description"],
         kind=data["kind"],
         tags=tuple(map(str, data.get("tags") or ())),
+        forms=tuple(form for form in FORMS if data["graphs"].get(form) is not None),
     )

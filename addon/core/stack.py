@@ -120,9 +120,9 @@ def write_template(stack: Stack) -> str:
     """The template's text; the same stack gives the same text."""
     lines = [f"schema = {stack.rest.get('schema', 1)}"]
     _add_table(lines, "[material]", stack.rest.get("material", {}))
-    _add_table(lines, "[ambient]", parse_medium(stack.ambient))
+    _add_table(lines, "[ambient]", _medium("ambient.medium", stack.ambient))
     for index, layer in enumerate(stack.layers):
-        entry: dict[str, Any] = dict(parse_medium(layer.medium))
+        entry: dict[str, Any] = dict(_medium(f"layer[{index}].medium", layer.medium))
         entry["thickness_nm"] = layer.thickness_nm
         if index == stack.varying:
             low, high = stack.range_nm
@@ -135,13 +135,20 @@ def write_template(stack: Stack) -> str:
         if not layer.coherent:
             entry["coherent"] = False
         _add_table(lines, "[[layer]]", entry)
-    _add_table(lines, "[substrate]", parse_medium(stack.substrate))
+    _add_table(lines, "[substrate]", _medium("substrate.medium", stack.substrate))
     for name, value in _rest(stack).items():
         if name in ("schema", "material"):
             continue
         for item in value if isinstance(value, list) else [value]:
             _add_table(lines, f"[[{name}]]" if isinstance(value, list) else f"[{name}]", item)
     return "\n".join(lines) + "\n"
+
+
+def _medium(path: str, text: str) -> dict[str, Any]:
+    try:
+        return parse_medium(text)
+    except StackError as error:
+        raise StackError(f"{path}: {error}") from error
 
 
 def _rest(stack: Stack) -> dict[str, Any]:
@@ -193,7 +200,7 @@ def parse_medium(text: str) -> dict[str, Any]:
     """The template's keys of what `medium_text` writes; any other text is a key of the library."""
     text = text.strip()
     if not text:
-        raise StackError("a medium must be named, such as water/Daimon-20C, or given as 1.33")
+        raise StackError("must be named, such as water/Daimon-20C, or given as 1.33")
     plain = _COMPLEX.fullmatch(text.replace(" ", ""))
     if plain:
         n, k = float(plain[1]), float(plain[2] or 0.0)
@@ -248,7 +255,7 @@ def edit(stack: Stack, path: str, value: str) -> Stack:
     `technique`."""
     result = copy.deepcopy(stack)
     if path in ("ambient", "substrate"):
-        parse_medium(value)
+        _medium(path, value)
         setattr(result, path, value)
         return result
     if path == "range_nm":
@@ -265,7 +272,7 @@ def edit(stack: Stack, path: str, value: str) -> Stack:
         raise StackError(f"{path}: no such layer; {have}")
     layer = result.layers[int(index)]
     if name == "medium":
-        parse_medium(value)
+        _medium(path, value)
         layer.medium = value
     elif name == "thickness_nm":
         layer.thickness_nm = _thickness(path, value)

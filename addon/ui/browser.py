@@ -6,10 +6,17 @@ from __future__ import annotations
 
 import bpy
 
+from ..core.form import OSL
 from ..core.library import Library
 from ..nodes import chosen, lighting, thumbnails
 from ..nodes.material import group_node
+from ..nodes.script import has_osl
+from . import wrapped
 from .panels import draw_light, draw_material
+
+_LOCKED = (
+    "Needs Open Shading Language, which this Blender was built without; blender.org's own has it."
+)
 
 
 class NACRE_PT_viewport(bpy.types.Panel):
@@ -30,7 +37,11 @@ class NACRE_PT_viewport(bpy.types.Panel):
         entry = entries[browser.choice]
         row = layout.row(align=True)
         row.scale_y = 1.4
-        row.operator("nacre.assign_material", text=f"Assign {entry.name}").material = entry.id
+        assign = row.row(align=True)
+        if entry.forms == (OSL,) and not has_osl():
+            assign.enabled = False
+            wrapped.label(layout, _LOCKED, "LOCKED")
+        assign.operator("nacre.assign_material", text=f"Assign {entry.name}").material = entry.id
         star = "SOLO_ON" if entry.id in chosen.favourites() else "SOLO_OFF"
         row.operator("nacre.favourite", text="", icon=star).material = entry.id
         for title, found in (("Favourites", chosen.favourites()), ("Recent", chosen.recent())):

@@ -4,8 +4,6 @@
 
 from __future__ import annotations
 
-import textwrap
-
 import bpy
 
 from ..core.form import NODES, OSL
@@ -15,8 +13,7 @@ from ..nodes import lighting
 from ..nodes import scene as scene_setup
 from ..nodes.material import describe, group_node, missing_tables, notes
 from ..nodes.thickness import ramp_of, sources_of, thickness_socket
-
-_LINE = 44  # letters of a note that fit into a panel of the usual width
+from . import wrapped
 
 
 class _WaveOptics:
@@ -77,7 +74,7 @@ def _draw_problems(layout, context, material) -> None:
     state = scene_setup.state(context.scene, missing_tables(material))
     for problem in find_problems(describe(material), state):
         box = layout.box()
-        box.label(text=problem.text, icon="ERROR")
+        wrapped.label(box, problem.text, "ERROR")
         if problem.operator:
             box.operator(problem.operator, text=problem.action)
 
@@ -102,9 +99,7 @@ def draw_light(layout, scene) -> None:
 
 def _draw_notes(layout, material) -> None:
     for note in notes(material):
-        column = layout.box().column(align=True)
-        for index, line in enumerate(textwrap.wrap(note, _LINE, break_on_hyphens=False)):
-            column.label(text=line, icon="BLANK1" if index else "INFO")
+        wrapped.label(layout.box(), note, "INFO")
 
 
 def _draw_sockets(layout, material, node) -> None:

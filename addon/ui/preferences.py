@@ -11,7 +11,8 @@ from bpy.props import StringProperty
 
 from ..core.library import Library
 from ..nodes import assets
-from ..nodes.scene import has_osl
+from ..nodes.script import has_osl
+from . import wrapped
 
 
 class NACRE_preferences(bpy.types.AddonPreferences):
@@ -26,9 +27,11 @@ class NACRE_preferences(bpy.types.AddonPreferences):
         if has_osl():
             layout.label(text="This Blender runs Open Shading Language", icon="CHECKMARK")
         else:
-            layout.label(
-                text="This Blender has no Open Shading Language: films work as nodes, gratings do not",
-                icon="INFO",
+            wrapped.label(
+                layout,
+                "This Blender was built without Open Shading Language. All but gratings work as nodes; "
+                "blender.org's own Blender has it.",
+                "INFO",
             )
         layout.label(text=f"{len(library.entries())} materials in {library.root}", icon="MATERIAL")
         row = layout.row()
@@ -42,7 +45,7 @@ class NACRE_preferences(bpy.types.AddonPreferences):
                 "nacre.add_asset_library", text="Add to Asset Browser", icon="ASSET_MANAGER"
             )
         for category, entries in groupby(library.entries().values(), key=lambda e: e.category):
-            names = ", ".join(entry.name for entry in entries)
+            names = " · ".join(entry.name for entry in entries)
             split = layout.split(factor=0.25)
             split.label(text=category)
             split.label(text=names)

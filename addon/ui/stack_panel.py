@@ -7,10 +7,11 @@ from __future__ import annotations
 import bpy
 
 from ..core.light import AS_COMPILED, USUAL, Conditions, menu_item
+from ..core.messages import spoken
 from ..nodes import live, stack
 from ..nodes.material import group_node, kind
 from ..nodes.thickness import thickness_socket
-from . import swatch
+from . import swatch, wrapped
 
 
 class NACRE_UL_layers(bpy.types.UIList):
@@ -53,8 +54,8 @@ class _StackEditor:
         _draw_light(layout, shown, stack.recipe(material).conditions)
         if live.problem(material):
             box = layout.box()
-            for line in live.problem(material).splitlines():
-                box.label(text=line, icon="ERROR")
+            for text in spoken(live.problem(material)):
+                wrapped.label(box, text, "ERROR")
         _draw_colours(layout, material, shown)
         row = layout.row(align=True)
         if live.is_busy(material):

@@ -6,10 +6,11 @@ from __future__ import annotations
 
 import bpy
 
+from ..core.messages import spoken
 from ..nodes import passes, scene
 from ..nodes.material import group_node
 from ..operators import probe
-from . import swatch
+from . import swatch, wrapped
 
 
 class _Viewer:
@@ -42,8 +43,8 @@ class _Probe(_Viewer):
             copy = row.operator("nacre.copy_probe", text="", icon="COPYDOWN", emboss=False)
             copy.what, copy.line = "line", index
         if found.problem:
-            for line in found.problem.splitlines():
-                layout.label(text=line, icon="ERROR")
+            for text in spoken(found.problem):
+                wrapped.label(layout, text, "ERROR")
         _draw_spectra(layout, found)
 
 

@@ -13,6 +13,7 @@ import pytest
 from nacre_extension.core.form import FormError, Renderer, choose_form
 from nacre_extension.core.library import Library
 from nacre_extension.core.manifest import ManifestError, load_folder
+from nacre_extension.core.messages import spoken
 from nacre_extension.core.oso import (
     OsoError,
     bytecode_hash,
@@ -149,6 +150,30 @@ def test_library_lists_what_it_can_read(tmp_path):
     assert list(library.entries()) == ["test_grating"]
     with pytest.raises(ManifestError, match="unknown material 'soap'; there are: test_grating"):
         library.load("soap")
+
+
+SPOKEN = {
+    "My: 3 Soap:21: layer[0].medium: must be a key of the library (got 'coper')":
+        "Layer 1: 'coper' is not in the library. Try a name (copper), an index (1.5) or a formula "
+        "(cauchy 1.45 0.0035).",
+    "S:18: ambient.medium: must be a key of the library, perhaps Cu/Johnson or Au/Johnson (got 'Cu/Jonson')":
+        "Ambient: 'Cu/Jonson' is not in the library. Try Cu/Johnson or Au/Johnson, a name (copper), "
+        "an index (1.5) or a formula (cauchy 1.45 0.0035).",
+    "S:25: substrate.n: must be > 0 (got -1)": "Substrate, index: must be > 0 (got -1)",
+    "layer[11].thickness_nm.default: must be ≥ 0 (got -40)": "Layer 12, thickness: must be ≥ 0 (got -40)",
+    "layer[1].medium: must be named, such as water/Daimon-20C, or given as 1.33":
+        "Layer 2: must be named, such as water/Daimon-20C, or given as 1.33",
+    "S:3: layer[2].coherent: must be true or false": "Layer 3, coherent: must be true or false",
+    "S: a stack has at most 64 layers": "S: a stack has at most 64 layers",
+    "unobtainium": "unobtainium",
+}  # fmt: skip
+
+
+def test_problems_are_told_in_the_words_of_the_panel():
+    for problem, expected in SPOKEN.items():
+        assert spoken(problem) == [expected]
+    assert spoken("\n".join(SPOKEN) + "\n\n") == list(SPOKEN.values())
+    assert spoken("") == []
 
 
 def test_library_sees_a_manifest_of_another_content_and_the_same_time(tmp_path, monkeypatch):

@@ -82,7 +82,7 @@ def test_a_stack_is_edited_by_name(blender45, tmp_path, thin_slick):
     )  # fmt: skip
     assert done.returncode == 1
     assert "--set: layers.4.medium: no such layer; there are layers 0 to 0" in done.stderr
-    assert "--set: a medium must be named" in done.stderr
+    assert "--set: substrate: must be named" in done.stderr
 
 
 def test_a_technique_is_asked_for(blender45, tmp_path, thin_slick):

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import bpy
 from steps import new_file, refused
 
@@ -37,6 +39,52 @@ browser.search = "spaghetti"
 assert browser.choice not in entries
 browser.search = ""
 assert browser.choice in entries
+
+
+# What needs Open Shading Language cannot be chosen without it, and says so before it is tried.
+class Layout:
+    """Stands for a UILayout: what is said, and which buttons can be pressed."""
+
+    def __init__(self, said, buttons):
+        self.said, self.buttons, self.enabled = said, buttons, True
+
+    def row(self, **_options):
+        return Layout(self.said, self.buttons)
+
+    column = grid_flow = row
+
+    def label(self, text="", icon="NONE"):
+        self.said.append((text, icon))
+
+    def operator(self, name, **_options):
+        self.buttons.append((name, self.enabled))
+        return SimpleNamespace()
+
+    def prop(self, *_arguments, **_options):
+        pass
+
+    template_icon_view = prop
+
+
+def drawn(material):
+    said, buttons = [], []
+    browser.choice = material
+    context = SimpleNamespace(window_manager=bpy.context.window_manager)
+    panel.NACRE_PT_viewport.draw(SimpleNamespace(layout=Layout(said, buttons)), context)
+    return " ".join(text for text, _ in said), {icon for _, icon in said}, dict(buttons)
+
+
+panel = module("ui.browser")
+gratings = {name for name, entry in entries.items() if entry.kind == "grating"}
+assert {name for name, entry in entries.items() if entry.forms == ("osl",)} == gratings
+assert drawn("cd")[2]["nacre.assign_material"]
+real, panel.has_osl = panel.has_osl, lambda: False
+said, icons, buttons = drawn("cd")
+assert "Open Shading Language" in said
+assert "LOCKED" in icons
+assert not buttons["nacre.assign_material"]
+assert drawn("soap_film")[2]["nacre.assign_material"]
+panel.has_osl = real
 
 # Remembered, the last one first, each once, and no more than there is room for.
 cube = new_file()
