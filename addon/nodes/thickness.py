@@ -62,16 +62,41 @@ def add_source(material: bpy.types.Material, source_id: str) -> bpy.types.Shader
     node = tree.nodes.new("ShaderNodeGroup")
     node.node_tree = _group(spec)
     node.name = node.label = spec.name
-    node.location = (socket.node.location.x - 260.0 * (1 + len(sources_of(material))), 0.0)
     _set_defaults(node, spec, thickness_range(socket), socket.default_value)
     if spec.coordinates and "Vector" in node.inputs:
         coordinates = tree.nodes.new("ShaderNodeTexCoord")
-        coordinates.location = (node.location.x - 200.0, node.location.y - 120.0)
         tree.links.new(coordinates.outputs[spec.coordinates], node.inputs["Vector"])
     if spec.goes_upon_another and before is not None:
         tree.links.new(before, node.inputs["Thickness"])
     tree.links.new(node.outputs[0], socket)
+    _lay_out(material)
     return node
+
+
+def _lay_out(material: bpy.types.Material) -> None:
+    """Sources in a row, the last one beside the material; what feeds each below it, from left to right."""
+    column, below, row = 240.0, 420.0, 340.0
+    x, y = group_node(material).location
+    rows = 0
+    for place, node in enumerate(sources_of(material), 1):
+        node.location = (x - place * column, y)
+        ahead = [node]
+        depth = 0
+        while ahead := _feeds(ahead):
+            depth += 1
+            for feed in ahead:
+                feed.location = (
+                    x - (place + depth) * column - 60.0 * depth,
+                    y - below - rows * row,
+                )
+        rows += depth > 0
+
+
+def _feeds(nodes: list[bpy.types.Node]) -> list[bpy.types.Node]:
+    """What came with sources and leads into these nodes."""
+    sockets = (socket for node in nodes for socket in node.inputs)
+    found = (link.from_node for socket in sockets for link in socket.links)
+    return list(dict.fromkeys(node for node in found if node.type in _FEEDS))
 
 
 def remove_sources(material: bpy.types.Material) -> None:
@@ -100,9 +125,9 @@ def link_image(material: bpy.types.Material, image: bpy.types.Image) -> None:
     tree = material.node_tree
     texture = tree.nodes.new("ShaderNodeTexImage")
     texture.image = image
-    texture.location = (node.location.x - 300.0, node.location.y)
     hold_as_data(image)
     tree.links.new(texture.outputs["Color"], node.inputs["Value"])
+    _lay_out(material)
 
 
 def link_attribute(material: bpy.types.Material, name: str, ramp: bool) -> None:
@@ -112,15 +137,14 @@ def link_attribute(material: bpy.types.Material, name: str, ramp: bool) -> None:
     tree = material.node_tree
     attribute = tree.nodes.new("ShaderNodeAttribute")
     attribute.attribute_name = name
-    attribute.location = (node.location.x - (500.0 if ramp else 200.0), node.location.y)
     fed = node.inputs["Value"]
     if ramp:
         between = tree.nodes.new("ShaderNodeValToRGB")
         between.label = "From Painted to Thickness"
-        between.location = (node.location.x - 300.0, node.location.y)
         tree.links.new(between.outputs["Color"], fed)
         fed = between.inputs["Fac"]
     tree.links.new(attribute.outputs["Fac"], fed)
+    _lay_out(material)
 
 
 def ramp_of(source_node: bpy.types.ShaderNodeGroup) -> bpy.types.ShaderNodeValToRGB | None:

@@ -61,7 +61,10 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
         image = None
         if self.source == "map" and self.filepath:
             image = _picture(bpy.path.abspath(self.filepath))  # before anything is changed
-        thickness.add_source(material, self.source)
+        before = [node.label or node.name for node in thickness.sources_of(material)]
+        added = thickness.add_source(material, self.source)
+        if before and len(thickness.sources_of(material)) == 1:
+            self.report({"INFO"}, f"{added.label} takes the place of {', '.join(before)}.")
         if image is not None:
             thickness.link_image(material, image)
         if self.source.startswith("attribute"):

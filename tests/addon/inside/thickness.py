@@ -204,4 +204,48 @@ assert len(material.node_tree.nodes) == nodes
 # Switching the form keeps what feeds the thickness.
 assert bpy.ops.nacre.rebuild_material(form="osl") == {"FINISHED"}
 assert len(thickness.sources_of(material)) == 1
+
+
+# ---- Where nodes lie: from left to right, none upon another, and a word about what had to go.
+
+
+def box(node) -> tuple[float, float, float, float]:
+    """Left, right, bottom, top: nothing has a height before it is drawn."""
+    rows = len([socket for socket in node.inputs if not socket.hide_value])
+    height = 300.0 if node.type in ("TEX_IMAGE", "VALTORGB", "TEX_COORD") else 80.0 + 24.0 * rows
+    x, y = node.location
+    return x, x + node.width, y - height, y
+
+
+def check_layout(material) -> None:
+    tree = material.node_tree
+    for link in tree.links:
+        left, right = box(link.from_node), box(link.to_node)
+        assert left[1] <= right[0] + 1.0, (link.from_node.name, link.to_node.name)
+    boxes = [(node.name, box(node)) for node in tree.nodes]
+    for index, (name, a) in enumerate(boxes):
+        for other, b in boxes[index + 1 :]:
+            apart = a[1] <= b[0] or b[1] <= a[0] or a[3] <= b[2] or b[3] <= a[2]
+            assert apart, (name, a, other, b)
+
+
+picture = bpy.data.images.new("Thickness", 8, 8)
+picture.filepath_raw = str(folder / "thickness.png")
+picture.file_format = "PNG"
+picture.save()
+for sources in (
+    ("drainage", "swirl"),
+    ("map", "swirl", "spread"),
+    ("attribute", "swirl"),
+    ("drop", "spread", "swirl"),
+):
+    cube = new_file()
+    bpy.ops.nacre.assign_material(material="test_film", form="nodes")
+    material = cube.active_material
+    for name in sources:
+        options = {"filepath": str(folder / "thickness.png")} if name == "map" else {}
+        assert bpy.ops.nacre.add_thickness(source=name, **options) == {"FINISHED"}
+        check_layout(material)
+    assert len(thickness.sources_of(material)) == len(sources)
+
 extension.unregister()

@@ -35,6 +35,7 @@ struct FilmCall {
                 .illuminant = "D65",
                 .observer = "cie1931",
                 .space = "lin_rec709_scene",
+                .adaptation = nullptr,
                 .tolerance = 0.5,
                 .width = 9,
                 .height = 5,
