@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs `render …` where the extension is not installed.
+"""Runs `render …`, or `assets FOLDER`, where the extension is not installed.
 
 python driver.py render …                       with the bpy wheel
 blender -b --factory-startup --python driver.py -- render …
@@ -66,8 +66,11 @@ def main() -> None:
     bpy = _import_bpy()
     bring_computation()
     load_package()
-    render = importlib.import_module(f"{PACKAGE}.render")
-    status = render.main(_arguments())
+    verb, *arguments = _arguments() or [""]
+    if verb == "assets":
+        status = importlib.import_module(f"{PACKAGE}.asset_job").main(arguments)
+    else:
+        status = importlib.import_module(f"{PACKAGE}.render").main(_arguments())
     sys.stdout.flush()
     sys.stderr.flush()
     if bpy.app.binary_path:

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import time
+
 import bpy
 from bpy.props import (
     BoolProperty,
@@ -210,20 +212,28 @@ class NACRE_PG_scene(bpy.types.PropertyGroup):
     )
 
 
-# Blender keeps no reference to the texts of a computed list of items.
+# Blender keeps no reference to the texts of a computed list of items, and asks for it several times at
+# each redraw, where a look at the library's files each time would be felt.
 _found: list[tuple[str, str, str, int, int]] = []
+_found_for: list[object] = [None, ""]  # the entries and the search
+_looked_at = [0.0]
+_LOOK_AGAIN = 0.5  # seconds
 
 
 def _choices(self, _context):
     """What the search finds, each with the number that it has among all."""
-    entries = Library.default().entries().values()
-    fresh = [
-        (entry.id, entry.name, entry.description, thumbnails.icon(entry.id), number)
-        for number, entry in enumerate(entries)
-        if finds(entry, self.search)
-    ]
-    if fresh != _found:
-        _found[:] = fresh
+    now = time.monotonic()
+    if _found_for[1] == self.search and now < _looked_at[0] + _LOOK_AGAIN:
+        return _found
+    _looked_at[0] = now
+    entries = Library.default().entries()
+    if _found_for[0] is not entries or _found_for[1] != self.search:
+        _found_for[:] = entries, self.search
+        _found[:] = [
+            (entry.id, entry.name, entry.description, thumbnails.icon(entry.id), number)
+            for number, entry in enumerate(entries.values())
+            if finds(entry, self.search)
+        ]
     return _found
 
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 import bpy
 
 from . import properties
+from .nodes import asset_build, fallback, follow, live, schema, thumbnails, views
 from .nodes import assets as asset_library
-from .nodes import fallback, follow, live, schema, thumbnails, views
 from .operators import assets, assign, fix, lighting, passes, picture, probe, stack, thickness
 from .ui import browser, panels, preferences, stack_panel, swatch, viewer_panel
 
@@ -42,6 +42,8 @@ def register() -> None:
     views.register()
     fallback.register()
     follow.register()
+    asset_build.register()
+    thumbnails.register()
     panels.add_to_menus()
     if asset_library.is_built(asset_library.default_folder()):
         asset_library.show(asset_library.default_folder())
@@ -52,6 +54,7 @@ def unregister() -> None:
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     panels.remove_from_menus()
+    asset_build.unregister()
     asset_library.hide(asset_library.default_folder())
     follow.unregister()
     fallback.unregister()

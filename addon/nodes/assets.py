@@ -5,8 +5,10 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import shutil
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import bpy
@@ -23,6 +25,7 @@ from .material import create_material
 
 NAME = "Nacre"
 BLEND = "nacre_materials.blend"
+_STAMP = "made_of.txt"
 _KINDS = ("materials", "node_groups", "images", "texts")
 
 
@@ -35,8 +38,9 @@ def default_folder() -> Path:
         return Path(bpy.utils.user_resource("DATAFILES", path="nacre_assets"))
 
 
-def build(folder: Path) -> tuple[int, list[str]]:
+def build(folder: Path, tell: Callable[[int, int], None] | None = None) -> tuple[int, list[str]]:
     """Writes the asset library; returns how many materials it has, and what was left out and why.
+    `tell` hears after each material how many are done, of how many.
 
     The open file stays as it is. Materials are nodes where they can be, which works in every engine;
     the others are OSL.
@@ -46,19 +50,24 @@ def build(folder: Path) -> tuple[int, list[str]]:
     categories: set[str] = set()
     library = Library.default()
     with _only_for_now():
-        for material_id, entry in library.entries().items():
+        entries = library.entries()
+        for number, (material_id, entry) in enumerate(entries.items(), 1):
             try:
                 compiled = library.load(material_id)
                 made.append(_asset(compiled, synonyms(entry)))
             except (ManifestError, FormError) as error:
                 left_out.append(f"{material_id}: {error}")
-                continue
-            categories.add(compiled.category)
+            else:
+                categories.add(compiled.category)
+            if tell:
+                tell(number, len(entries))
         folder.mkdir(parents=True, exist_ok=True)
-        aside = folder / f"{BLEND}.partial.blend"
+        _forget_what_was_killed(folder)
+        aside = folder / f"{BLEND}.{os.getpid()}.partial.blend"  # two Blenders may start at once
         bpy.data.libraries.write(str(aside), set(made), fake_user=True, compress=True)
         aside.replace(folder / BLEND)
     write_whole(folder / FILE, catalogue_text(categories))
+    write_whole(folder / _STAMP, _stamp())
     return len(made), left_out
 
 
@@ -78,6 +87,29 @@ def hide(folder: Path) -> None:
 
 def is_built(folder: Path) -> bool:
     return (folder / BLEND).is_file()
+
+
+def _forget_what_was_killed(folder: Path) -> None:
+    an_hour_ago = time.time() - 3600.0
+    for path in folder.glob(f"{BLEND}.*.partial.blend"):
+        if path.stat().st_mtime < an_hour_ago:
+            path.unlink(missing_ok=True)
+
+
+def is_current(folder: Path) -> bool:
+    """Whether it was made of the materials that there are, by this version."""
+    try:
+        made_of = (folder / _STAMP).read_text("utf-8")
+    except OSError:
+        return False
+    return is_built(folder) and made_of == _stamp()
+
+
+def _stamp() -> str:
+    library = Library.default()
+    manifests = ((name, library.root / name / f"{name}.json") for name in library.entries())
+    lines = [f"{name} {path.stat().st_size}\n" for name, path in manifests]
+    return f"schema {groups.SCHEMA_VERSION}\n{''.join(lines)}"
 
 
 def is_shown(folder: Path) -> bool:

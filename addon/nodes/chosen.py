@@ -5,9 +5,9 @@ there tomorrow; of this session where Nacre is not installed as an add-on."""
 
 from __future__ import annotations
 
-import bpy
+from collections.abc import Container
 
-from ..core.library import Library
+import bpy
 
 MOST_RECENT = 6
 
@@ -17,12 +17,13 @@ def _kept():
     return getattr(addon, "preferences", None) or bpy.context.window_manager.nacre
 
 
-def recent() -> list[str]:
-    return _known(_kept().recent)
+def recent(known: Container[str]) -> list[str]:
+    """Those that the library still has; so below."""
+    return [material_id for material_id in _kept().recent.split() if material_id in known]
 
 
-def favourites() -> list[str]:
-    return _known(_kept().favourites)
+def favourites(known: Container[str]) -> list[str]:
+    return [material_id for material_id in _kept().favourites.split() if material_id in known]
 
 
 def remember(material_id: str) -> None:
@@ -37,9 +38,3 @@ def turn_favourite(material_id: str) -> bool:
     kept = [*kept, material_id] if is_one else [other for other in kept if other != material_id]
     _kept().favourites = " ".join(kept)
     return is_one
-
-
-def _known(text: str) -> list[str]:
-    """Without those that the library has no more."""
-    entries = Library.default().entries()
-    return [material_id for material_id in text.split() if material_id in entries]

@@ -4,9 +4,11 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 import bpy
 
-from ..nodes import assets
+from ..nodes import asset_build, assets
 from .guard import reports_errors
 
 
@@ -21,12 +23,13 @@ class NACRE_OT_add_asset_library(bpy.types.Operator):
     @reports_errors
     def execute(self, context):
         folder = assets.default_folder()
-        if context.window:
-            context.window.cursor_set("WAIT")
+        if addon := context.preferences.addons.get(__package__.rpartition(".")[0]):
+            addon.preferences.keep_assets = True
+        if not bpy.app.background:
+            asset_build.begin(folder)
+            return {"FINISHED"}
         count, left_out = assets.build(folder)
         assets.show(folder)
-        if context.window:
-            context.window.cursor_set("DEFAULT")
         self.report({"INFO"}, f"{count} materials are in the asset library {assets.NAME}")
         for text in left_out:
             self.report({"WARNING"}, text)
@@ -39,9 +42,68 @@ class NACRE_OT_remove_asset_library(bpy.types.Operator):
     bl_description = "Take the asset library out of the preferences and delete its file"
 
     @reports_errors
-    def execute(self, _context):
+    def execute(self, context):
         assets.delete(assets.default_folder())
+        if addon := context.preferences.addons.get(__package__.rpartition(".")[0]):
+            addon.preferences.keep_assets = False  # or else it would be made anew at the next start
         return {"FINISHED"}
 
 
-CLASSES = (NACRE_OT_add_asset_library, NACRE_OT_remove_asset_library)
+class NACRE_OT_open_assets(bpy.types.Operator):
+    bl_idname = "nacre.open_assets"
+    bl_label = "Nacre: Open Asset Browser"
+    bl_description = (
+        "Show Nacre's materials in an asset browser, in place of the timeline if there is one"
+    )
+
+    @classmethod
+    def poll(cls, context):
+        if context.window is None or not assets.is_shown(assets.default_folder()):
+            cls.poll_message_set("There is no asset library yet")
+            return False
+        return True
+
+    @reports_errors
+    def execute(self, context):
+        area = _place_for_assets(context.window.screen)
+        area.ui_type = "ASSETS"
+        asset_build.dismiss()
+        # A browser knows its libraries when it has been drawn.
+        bpy.app.timers.register(partial(_choose_library, area), first_interval=0.2)
+        return {"FINISHED"}
+
+
+def _place_for_assets(screen: bpy.types.Screen) -> bpy.types.Area:
+    """A browser that is there, or else the area that is missed least; never the viewport."""
+    for kind in ("FILE_BROWSER", "DOPESHEET_EDITOR", "GRAPH_EDITOR", "NODE_EDITOR", "OUTLINER"):
+        found = [area for area in screen.areas if area.type == kind]
+        if found:
+            return max(found, key=lambda area: area.width * area.height)
+    return min(screen.areas, key=lambda area: area.width * area.height)
+
+
+def _choose_library(area: bpy.types.Area) -> float | None:
+    parameters = area.spaces.active.params if area.ui_type == "ASSETS" else None
+    if parameters is None:
+        return None
+    parameters.asset_library_reference = assets.NAME
+    return None
+
+
+class NACRE_OT_dismiss(bpy.types.Operator):
+    bl_idname = "nacre.dismiss"
+    bl_label = "Nacre: Close the Message"
+    bl_description = "Take this line away"
+    bl_options = {"INTERNAL"}
+
+    def execute(self, _context):
+        asset_build.dismiss()
+        return {"FINISHED"}
+
+
+CLASSES = (
+    NACRE_OT_add_asset_library,
+    NACRE_OT_remove_asset_library,
+    NACRE_OT_open_assets,
+    NACRE_OT_dismiss,
+)

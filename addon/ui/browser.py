@@ -12,6 +12,7 @@ from ..nodes import chosen, lighting, thumbnails
 from ..nodes.material import group_node
 from ..nodes.script import has_osl
 from . import wrapped
+from .asset_build import draw_asset_build
 from .panels import draw_light, draw_material
 
 _LOCKED = (
@@ -29,6 +30,7 @@ class NACRE_PT_viewport(bpy.types.Panel):
         layout = self.layout
         browser = context.window_manager.nacre
         entries = Library.default().entries()
+        draw_asset_build(layout)
         layout.prop(browser, "search", text="", icon="VIEWZOOM")
         if browser.choice not in entries:
             layout.label(text=f"Nothing is found for “{browser.search}”", icon="INFO")
@@ -42,9 +44,10 @@ class NACRE_PT_viewport(bpy.types.Panel):
             assign.enabled = False
             wrapped.label(layout, _LOCKED, "LOCKED")
         assign.operator("nacre.assign_material", text=f"Assign {entry.name}").material = entry.id
-        star = "SOLO_ON" if entry.id in chosen.favourites() else "SOLO_OFF"
+        favourites = chosen.favourites(entries)
+        star = "SOLO_ON" if entry.id in favourites else "SOLO_OFF"
         row.operator("nacre.favourite", text="", icon=star).material = entry.id
-        for title, found in (("Favourites", chosen.favourites()), ("Recent", chosen.recent())):
+        for title, found in (("Favourites", favourites), ("Recent", chosen.recent(entries))):
             _draw_row(layout, title, [entries[material_id] for material_id in found])
 
 

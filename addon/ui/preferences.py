@@ -7,17 +7,23 @@ from __future__ import annotations
 from itertools import groupby
 
 import bpy
-from bpy.props import StringProperty
+from bpy.props import BoolProperty, StringProperty
 
 from ..core.library import Library
 from ..nodes import assets
 from ..nodes.script import has_osl
 from . import wrapped
+from .asset_build import draw_asset_build
 
 
 class NACRE_preferences(bpy.types.AddonPreferences):
     bl_idname = __package__.rpartition(".")[0]
 
+    keep_assets: BoolProperty(
+        name="Keep the Asset Library",
+        description="Make the asset library by itself after installing and after updates, aside",
+        default=True,
+    )
     recent: StringProperty(name="Recent", description="Assigned last, the last one first")
     favourites: StringProperty(name="Favourites", description="In the order in which they came")
 
@@ -34,6 +40,8 @@ class NACRE_preferences(bpy.types.AddonPreferences):
                 "INFO",
             )
         layout.label(text=f"{len(library.entries())} materials in {library.root}", icon="MATERIAL")
+        layout.prop(self, "keep_assets")
+        draw_asset_build(layout)
         row = layout.row()
         if assets.is_built(assets.default_folder()):
             row.operator(

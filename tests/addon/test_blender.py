@@ -49,6 +49,10 @@ def test_side_bar(blender, tmp_path):
     blender.with_environment(NACRE_MATERIALS=shipped).script("browser", tmp_path)
 
 
+def test_asset_library_is_made_aside(blender, tmp_path, thin_slick):
+    blender.with_environment(NACRE_MATERIALS=thin_slick).script("asset_build", tmp_path)
+
+
 def test_other_versions_and_damage(blender, tmp_path, thin_slick):
     blender.with_environment(NACRE_MATERIALS=thin_slick).script("versions", tmp_path)
 

@@ -94,8 +94,8 @@ for name in [*names, *names[:2]]:
     bpy.ops.nacre.assign_material(
         material=name, form="nodes" if entries[name].kind == "film" else "osl"
     )
-assert chosen.recent()[:2] == [names[1], names[0]]
-assert len(chosen.recent()) == len(set(chosen.recent())) <= chosen.MOST_RECENT
+assert chosen.recent(entries)[:2] == [names[1], names[0]]
+assert len(chosen.recent(entries)) == len(set(chosen.recent(entries))) <= chosen.MOST_RECENT
 cube.select_set(False)
 bpy.context.view_layer.objects.active = None
 refused(lambda: bpy.ops.nacre.assign_material(material=name), "poll()")
@@ -104,11 +104,11 @@ refused(lambda: bpy.ops.nacre.assign_material(material=name), "poll()")
 first, second = names[:2]
 assert bpy.ops.nacre.favourite(material=first) == {"FINISHED"}
 assert bpy.ops.nacre.favourite(material=second) == {"FINISHED"}
-assert chosen.favourites() == [first, second]
+assert chosen.favourites(entries) == [first, second]
 chosen._kept().favourites += " of_a_larger_library"
-assert chosen.favourites() == [first, second]
+assert chosen.favourites(entries) == [first, second]
 assert bpy.ops.nacre.favourite(material=first) == {"FINISHED"}
-assert chosen.favourites() == [second]
+assert chosen.favourites(entries) == [second]
 assert "of_a_larger_library" in chosen._kept().favourites
 extension.unregister()
 assert not hasattr(bpy.types.WindowManager, "nacre")
