@@ -58,7 +58,7 @@ def begin(folder: Path) -> None:
     for read, stream in ((_read_progress, process.stdout), (_read_problems, process.stderr)):
         threading.Thread(target=read, args=(job, stream), daemon=True).start()
     if not bpy.app.timers.is_registered(look):
-        bpy.app.timers.register(look, first_interval=_POLL)
+        bpy.app.timers.register(look, first_interval=_POLL, persistent=True)
 
 
 def _read_progress(job: _Job, stream) -> None:
@@ -124,7 +124,7 @@ def _begin_if_wanted() -> None:
 
 def register() -> None:
     if not bpy.app.background:
-        bpy.app.timers.register(_begin_if_wanted, first_interval=_WAIT)
+        bpy.app.timers.register(_begin_if_wanted, first_interval=_WAIT, persistent=True)
 
 
 def unregister() -> None:

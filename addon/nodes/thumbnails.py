@@ -39,7 +39,7 @@ def _warm_up() -> float | None:
 
 def register() -> None:
     if not bpy.app.background:
-        bpy.app.timers.register(_warm_up, first_interval=_START)
+        bpy.app.timers.register(_warm_up, first_interval=_START, persistent=True)
 
 
 def unregister() -> None:
