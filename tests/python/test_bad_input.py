@@ -333,7 +333,7 @@ def test_structures_have_the_layout_of_the_header():
         "ColourOptions": 48,
         "Grating": 112,
         "TableInfo": 104,
-        "Film": 104,
+        "Film": 112,
         "Medium": 48,
     }
     for name, size in sizes.items():
