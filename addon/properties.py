@@ -116,8 +116,8 @@ class NACRE_PG_layer(bpy.types.PropertyGroup):
         update=_on_edit,
     )
     coherent: BoolProperty(
-        name="Coherent",
-        description="Off: too thick for interference, as a pane is",
+        name="Interferes",
+        description="Off: too thick for interference, as a pane is (incoherent)",
         default=True,
         update=_on_edit,
     )
@@ -127,8 +127,8 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
     """Follows the template that the material stores; an edit goes back into it."""
 
     ambient: StringProperty(
-        name="Ambient",
-        description="What lies over the film",
+        name="Above",
+        description="What lies over the film, where the light comes from (the ambient)",
         search=_media_search("ambient"),
         search_options={"SUGGESTION"},
         update=_medium_edit("ambient"),
@@ -136,8 +136,8 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
     layers: CollectionProperty(type=NACRE_PG_layer)
     active: IntProperty(name="Layer", description="The layer whose fields are shown below")
     substrate: StringProperty(
-        name="Substrate",
-        description="What the film lies on",
+        name="Below",
+        description="What the film lies on (the substrate)",
         search=_media_search("substrate"),
         search_options={"SUGGESTION"},
         update=_medium_edit("substrate"),

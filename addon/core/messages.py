@@ -15,7 +15,7 @@ _UNKNOWN = re.compile(
     r"^must be a key of the library(?:, perhaps (?P<near>.*))? \(got '(?P<key>.*)'\)$"
 )
 _FIELDS = {"medium": "", "thickness_nm": "thickness", "n": "index", "k": "absorption"}
-_PLACES = {"ambient": "Ambient", "substrate": "Substrate"}
+_PLACES = {"ambient": "Above", "substrate": "Below"}
 
 
 def spoken(problem: str) -> list[str]:

@@ -75,6 +75,12 @@ def _name_of(key: str) -> str:
         return ""
 
 
+def medium_name(text: str) -> str:
+    """What a list shows of a medium: its name in the library, or what was typed."""
+    is_key = "/" in text and not text.startswith("sellmeier")
+    return (_name_of(text) if is_key and not library_problem() else "") or text
+
+
 def is_edited(material: bpy.types.Material | None) -> bool:
     return material is not None and TEMPLATE in material
 

@@ -105,8 +105,9 @@ def _draw_notes(layout, material) -> None:
 def _draw_sockets(layout, material, node) -> None:
     column = layout.column()
     varies = thickness_socket(material)
+    used = _used_inputs(node.node_tree)
     for socket in node.inputs:
-        if socket.hide_value:
+        if socket.hide_value or socket.identifier not in used:
             continue
         row = column.row(align=True)
         if socket.is_linked:
@@ -116,6 +117,12 @@ def _draw_sockets(layout, material, node) -> None:
             row.prop(socket, "default_value", text=socket.name)
         if socket == varies:
             row.menu("NACRE_MT_thickness", text="", icon="TEXTURE")
+
+
+def _used_inputs(tree: bpy.types.NodeTree) -> set[str]:
+    """Identifiers of inputs that lead to something; one that only the other form has does not."""
+    outputs = (out for node in tree.nodes if node.type == "GROUP_INPUT" for out in node.outputs)
+    return {out.identifier for out in outputs if out.is_linked}
 
 
 def _draw_sources(layout, material) -> None:

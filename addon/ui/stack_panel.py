@@ -17,7 +17,7 @@ from . import swatch, wrapped
 class NACRE_UL_layers(bpy.types.UIList):
     def draw_item(self, _context, layout, data, item, _icon, _active, _name, index):
         row = layout.row(align=True)
-        row.label(text=item.medium)
+        row.label(text=stack.medium_name(item.medium))
         sub = row.row(align=True)
         sub.ui_units_x = 3.2
         # A label, as a number field that is too narrow leaves the last digits out.
@@ -51,7 +51,6 @@ class _StackEditor:
             return
         shown = material.nacre
         _draw_layers(layout, shown)
-        _draw_light(layout, shown, stack.recipe(material).conditions)
         if live.problem(material):
             box = layout.box()
             for text in spoken(live.problem(material)):
@@ -85,16 +84,29 @@ def _draw_layers(layout, shown) -> None:
         else:
             fields.prop(layer, "thickness_nm")
     layout.prop(shown, "substrate", icon="TRIA_UP_BAR")
-    layout.prop(shown, "technique")
 
 
-def _draw_light(layout, shown, conditions: Conditions) -> None:
-    row = layout.row(align=True)
-    row.prop(shown, "illuminant", text="")
-    row.prop(shown, "observer", text="")
-    unusual = _unusual_light(conditions)
-    if unusual:
-        layout.label(text=unusual, icon="LIGHT")
+class _Advanced:
+    """Choices that most never make."""
+
+    bl_label = "Advanced"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        material = context.object.active_material if context.object else None
+        return stack.is_edited(material) and not stack.damage(material)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        material = context.object.active_material
+        layout.prop(material.nacre, "technique")
+        layout.prop(material.nacre, "illuminant")
+        layout.prop(material.nacre, "observer")
+        unusual = _unusual_light(stack.recipe(material).conditions)
+        if unusual:
+            layout.label(text=unusual, icon="LIGHT")
 
 
 def _unusual_light(conditions: Conditions) -> str:
@@ -114,10 +126,10 @@ def _draw_colours(layout, material, shown) -> None:
     value = socket.default_value if socket is not None else 1.0
     row = layout.row()
     column = row.column(align=True)
-    column.label(text="0–85° · thickness")
+    column.label(text="Angle →   thickness ↑")
     column.template_icon(icon_value=swatch.swatch(material), scale=6.0)
     column = row.column(align=True)
-    column.label(text="R, 380–780 nm")
+    column.label(text="Reflectance, 380–780 nm")
     column.template_icon(
         icon_value=swatch.spectrum(material, value, shown.plot_angle_deg), scale=6.0
     )
@@ -138,4 +150,24 @@ class NACRE_PT_shader_editor_stack(_StackEditor, bpy.types.Panel):
     bl_parent_id = "NACRE_PT_shader_editor"
 
 
-CLASSES = (NACRE_UL_layers, NACRE_PT_stack, NACRE_PT_shader_editor_stack)
+class NACRE_PT_stack_advanced(_Advanced, bpy.types.Panel):
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "material"
+    bl_parent_id = "NACRE_PT_stack"
+
+
+class NACRE_PT_shader_editor_stack_advanced(_Advanced, bpy.types.Panel):
+    bl_space_type = "NODE_EDITOR"
+    bl_region_type = "UI"
+    bl_category = "Nacre"
+    bl_parent_id = "NACRE_PT_shader_editor_stack"
+
+
+CLASSES = (
+    NACRE_UL_layers,
+    NACRE_PT_stack,
+    NACRE_PT_stack_advanced,
+    NACRE_PT_shader_editor_stack,
+    NACRE_PT_shader_editor_stack_advanced,
+)

@@ -157,9 +157,9 @@ SPOKEN = {
         "Layer 1: 'coper' is not in the library. Try a name (copper), an index (1.5) or a formula "
         "(cauchy 1.45 0.0035).",
     "S:18: ambient.medium: must be a key of the library, perhaps Cu/Johnson or Au/Johnson (got 'Cu/Jonson')":
-        "Ambient: 'Cu/Jonson' is not in the library. Try Cu/Johnson or Au/Johnson, a name (copper), "
+        "Above: 'Cu/Jonson' is not in the library. Try Cu/Johnson or Au/Johnson, a name (copper), "
         "an index (1.5) or a formula (cauchy 1.45 0.0035).",
-    "S:25: substrate.n: must be > 0 (got -1)": "Substrate, index: must be > 0 (got -1)",
+    "S:25: substrate.n: must be > 0 (got -1)": "Below, index: must be > 0 (got -1)",
     "layer[11].thickness_nm.default: must be ≥ 0 (got -40)": "Layer 12, thickness: must be ≥ 0 (got -40)",
     "layer[1].medium: must be named, such as water/Daimon-20C, or given as 1.33":
         "Layer 2: must be named, such as water/Daimon-20C, or given as 1.33",

@@ -29,7 +29,7 @@ PANELS = [
     for cls in module(name).CLASSES
     if issubclass(cls, bpy.types.Panel)
 ]
-assert len(PANELS) == 11, PANELS
+assert len(PANELS) == 13, PANELS
 
 
 class Layout:
@@ -144,13 +144,13 @@ for _ in range(5):
 material.nacre.substrate = "unobtainium/X"
 calls.clear()
 said = drawn()
-assert "Substrate: 'unobtainium/X' is not in the library." in " ".join(said), said
+assert "Below: 'unobtainium/X' is not in the library." in " ".join(said), said
 assert calls.count("preview_tables") == calls.count("template_spectrum") == 1, calls
 calls.clear()
 drawn()
 assert calls == [], calls
 preferences = module("ui.preferences").NACRE_preferences
-preferences.draw(SimpleNamespace(layout=Layout([])), bpy.context)
+preferences.draw(SimpleNamespace(layout=Layout([]), keep_assets=True), bpy.context)
 module("operators.assign").material_items(None, bpy.context)
 assert calls == [], calls
 for (owner, name), real in originals.items():
