@@ -126,10 +126,10 @@ def _draw_colours(layout, material, shown) -> None:
     value = socket.default_value if socket is not None else 1.0
     row = layout.row()
     column = row.column(align=True)
-    column.label(text="Angle →   thickness ↑")
+    column.label(text="↑ Film → Angle")
     column.template_icon(icon_value=swatch.swatch(material), scale=6.0)
     column = row.column(align=True)
-    column.label(text="Reflectance, 380–780 nm")
+    column.label(text="Reflectance")
     column.template_icon(
         icon_value=swatch.spectrum(material, value, shown.plot_angle_deg), scale=6.0
     )
