@@ -14,6 +14,11 @@ from .pictures import empty_scene, render_picture
 SIZE = 48
 
 
+def names() -> list[str]:
+    """Of all lights, as the menu has them."""
+    return [key for key, _, _ in extension.module("core.lighting").LIGHTS]
+
+
 def mirror(**job) -> None:
     """`turn_deg` turns the camera around the ball, as `rotation_deg` does the light."""
     scene = empty_scene()
