@@ -66,11 +66,11 @@ def main() -> None:
     bpy = _import_bpy()
     bring_computation()
     load_package()
-    verb, *arguments = _arguments() or [""]
-    if verb == "assets":
-        status = importlib.import_module(f"{PACKAGE}.asset_job").main(arguments)
+    arguments = _arguments()
+    if arguments[:1] == ["assets"]:
+        status = importlib.import_module(f"{PACKAGE}.asset_job").main(arguments[1:])
     else:
-        status = importlib.import_module(f"{PACKAGE}.render").main(_arguments())
+        status = importlib.import_module(f"{PACKAGE}.render").main(arguments)
     sys.stdout.flush()
     sys.stderr.flush()
     if bpy.app.binary_path:

@@ -19,7 +19,7 @@ USUAL = Conditions()
 ADAPTATIONS = ("bradford", "cat16", "none")
 AS_COMPILED = "AS_COMPILED"
 
-# Items of menus. # The numbers are stored in .blend files: append, never reorder.
+# Items of menus. The numbers are stored in .blend files: append, never reorder.
 ILLUMINANTS = (
     ("D65", "D65", "Daylight", 0),
     ("D50", "D50", "Warm daylight, as in print", 1),

@@ -15,6 +15,7 @@ import bpy
 
 from ..asset_job import PROGRESS
 from . import assets
+from .settings import preferences
 
 _WAIT, _POLL = 2.0, 0.25  # seconds: after the start, and between looks
 _AREAS = ("VIEW_3D", "PREFERENCES", "PROPERTIES")  # that show how far it is
@@ -115,10 +116,9 @@ def _redraw() -> None:
 
 
 def _begin_if_wanted() -> None:
-    package = __package__.rpartition(".")[0]
-    addon = bpy.context.preferences.addons.get(package)
+    kept = preferences()
     folder = assets.default_folder()
-    if addon is not None and addon.preferences.keep_assets and not assets.is_current(folder):
+    if kept is not None and kept.keep_assets and not assets.is_current(folder):
         begin(folder)
 
 

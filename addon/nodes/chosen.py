@@ -9,12 +9,13 @@ from collections.abc import Container
 
 import bpy
 
+from .settings import preferences
+
 MOST_RECENT = 6
 
 
 def _kept():
-    addon = bpy.context.preferences.addons.get(__package__.rpartition(".")[0])
-    return getattr(addon, "preferences", None) or bpy.context.window_manager.nacre
+    return preferences() or bpy.context.window_manager.nacre
 
 
 def recent(known: Container[str]) -> list[str]:

@@ -245,15 +245,16 @@ def _sky(formula: Formula, direction):
 
 def _environment(formula: Formula, direction, file: str):
     node = formula.node("ShaderNodeTexEnvironment")
-    folder = Path(bpy.utils.system_resource("DATAFILES"), "studiolights", "world")
-    node.image = rec709_picture(folder / file)
+    node.image = environment_picture(file)
     formula.put(direction, node.inputs["Vector"])
     return node.outputs["Color"]
 
 
-def rec709_picture(file: Path) -> bpy.types.Image:
-    """In the file's space: what a colour config makes of an .exr is its own affair."""
-    image = bpy.data.images.load(str(file))
+def environment_picture(file: str) -> bpy.types.Image:
+    """One of those that come with Blender (CC0), of Rec.709, in the file's space: what a colour config
+    makes of an .exr is its own affair."""
+    folder = Path(bpy.utils.system_resource("DATAFILES"), "studiolights", "world")
+    image = bpy.data.images.load(str(folder / file))
     hold_as_data(image)
     matrix = to_file()
     if matrix is not None:

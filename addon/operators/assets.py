@@ -9,6 +9,7 @@ from functools import partial
 import bpy
 
 from ..nodes import asset_build, assets
+from ..nodes.settings import preferences
 from .guard import reports_errors
 
 
@@ -21,10 +22,10 @@ class NACRE_OT_add_asset_library(bpy.types.Operator):
     )
 
     @reports_errors
-    def execute(self, context):
+    def execute(self, _context):
         folder = assets.default_folder()
-        if addon := context.preferences.addons.get(__package__.rpartition(".")[0]):
-            addon.preferences.keep_assets = True
+        if (kept := preferences()) is not None:
+            kept.keep_assets = True
         if not bpy.app.background:
             asset_build.begin(folder)
             return {"FINISHED"}
@@ -42,10 +43,10 @@ class NACRE_OT_remove_asset_library(bpy.types.Operator):
     bl_description = "Take the asset library out of the preferences and delete its file"
 
     @reports_errors
-    def execute(self, context):
+    def execute(self, _context):
         assets.delete(assets.default_folder())
-        if addon := context.preferences.addons.get(__package__.rpartition(".")[0]):
-            addon.preferences.keep_assets = False  # or else it would be made anew at the next start
+        if (kept := preferences()) is not None:
+            kept.keep_assets = False  # or else it would be made anew at the next start
         return {"FINISHED"}
 
 

@@ -5,12 +5,11 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import bpy
 from mathutils import Vector
 
-from ..nodes.lighting import rec709_picture
+from ..nodes.lighting import environment_picture
 from ..nodes.space import here
 
 Point = tuple[float, float, float]
@@ -36,8 +35,7 @@ def environment(
     mapping = nodes.new("ShaderNodeMapping")
     mapping.inputs["Rotation"].default_value[2] = math.radians(turn_deg)
     picture = nodes.new("ShaderNodeTexEnvironment")
-    folder = Path(bpy.utils.system_resource("DATAFILES"), "studiolights", "world")
-    picture.image = rec709_picture(folder / f"{name}.exr")
+    picture.image = environment_picture(f"{name}.exr")
     # Left to itself, Cycles looks in 16 times as many directions as there are pixels before each
     # render, which takes longer than a small render does.
     world.cycles.sampling_method = "MANUAL"
