@@ -108,8 +108,8 @@ def parser() -> argparse.ArgumentParser:
         action="append",
         default=[],
         type=_varied,
-        help=f"let the thickness vary: {_sources()}; may be repeated: swirl and spread go upon what was "
-        "given before. Thicknesses are in nm, or with _scale in place of _nm, of a material with "
+        help=f"let the thickness vary: {_sources()}; may be repeated: each lies upon "
+        "those before it. Thicknesses are in nm, or with _scale in place of _nm, of a material with "
         "thickness_scale, factors; centre is X:Y in texture coordinates, in which the radius is too",
     )
     stage.add_argument(
@@ -268,6 +268,6 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
         raise UsageError("--animate needs --frames")
     if options.range and not options.thickness_map:
         raise UsageError("--range needs --thickness-map")
-    if options.thickness_map and not all(item.source.goes_upon_another for item in options.vary):
-        raise UsageError("--thickness-map goes with --vary swirl and spread alone")
+    if options.thickness_map and not all(item.source.changes_what_is_below for item in options.vary):
+        raise UsageError("--thickness-map goes with --vary drop, swirl and spread alone")
     return options

@@ -7,7 +7,17 @@ from __future__ import annotations
 import bpy
 
 from . import properties
-from .nodes import asset_build, fallback, follow, live, schema, thumbnails, views
+from .nodes import (
+    asset_build,
+    fallback,
+    film_colours,
+    follow,
+    limits,
+    live,
+    schema,
+    thumbnails,
+    views,
+)
 from .nodes import assets as asset_library
 from .operators import assets, assign, fix, lighting, passes, picture, probe, stack, thickness
 from .ui import browser, panels, preferences, stack_panel, swatch, viewer_panel
@@ -42,6 +52,8 @@ def register() -> None:
     views.register()
     fallback.register()
     follow.register()
+    film_colours.register()
+    limits.register()
     asset_build.register()
     thumbnails.register()
     panels.add_to_menus()
@@ -56,6 +68,8 @@ def unregister() -> None:
     panels.remove_from_menus()
     asset_build.unregister()
     asset_library.hide(asset_library.default_folder())
+    limits.unregister()
+    film_colours.unregister()
     follow.unregister()
     fallback.unregister()
     views.unregister()

@@ -319,7 +319,7 @@ def _map_thickness(material: bpy.types.Material, options: argparse.Namespace) ->
         raise UsageError(f"--thickness-map: {options.thickness_map}: is not a picture")
     node = thickness.add_source(material, "map")
     node.inputs["Minimum"].default_value, node.inputs["Maximum"].default_value = wanted
-    thickness.link_image(material, image)
+    thickness.link_image(material, node, image)
 
 
 def _blend_job(options: argparse.Namespace) -> Job:

@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 SIZE = 256
+CHIP = 16
 LAST_ANGLE_DEG = 85.0
 FIRST_NM, LAST_NM = 380.0, 780.0
 
@@ -31,6 +32,13 @@ def swatch(reflectance: np.ndarray) -> np.ndarray:
     across = reflectance[:, left] * (1.0 - t) + reflectance[:, left + 1] * t
     rows = np.linspace(0.0, height - 1, SIZE).round().astype(int)
     return _with_alpha(encode(across[rows]))
+
+
+def chip(rgb: tuple[float, float, float]) -> np.ndarray:
+    """One display-referred colour."""
+    picture = np.empty((CHIP, CHIP, 4), dtype=np.float32)
+    picture[:] = (*rgb, 1.0)
+    return picture
 
 
 def spectrum(reflectance: np.ndarray, colour_matching: np.ndarray) -> np.ndarray:

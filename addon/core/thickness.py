@@ -19,25 +19,31 @@ class Input:
 
     `share` is where in the range from the least to the largest thickness the default lies; `value`
     is the default of everything else. What is `added` to a thickness may be 0 and the whole range.
+    A thickness that `follows` starts as the one that the material had.
     """
 
     name: str
     description: str
     share: float | None = None
-    value: float | tuple[float, float, float] = 0.0
+    value: float | bool | tuple[float, float, float] = 0.0
     minimum: float = 0.0
     maximum: float = 1e6
     unit: str = ""
     added: bool = False
+    follows: bool = False
 
     @property
     def is_thickness(self) -> bool:
         return self.share is not None
 
     @property
+    def is_switch(self) -> bool:
+        return isinstance(self.value, bool)
+
+    @property
     def is_given(self) -> bool:
         """Whether a user has a value for it, and not a link."""
-        return self.name not in ("Vector", "Thickness", "Value")
+        return self.name not in ("Vector", BELOW, "Value") and not self.is_switch
 
     def option(self, thickness_unit: str) -> str:
         """Its name in text, such as `base_nm`."""
@@ -45,28 +51,81 @@ class Input:
         return "_".join(filter(None, (*self.name.lower().split(), unit)))
 
 
+BELOW, STRENGTH, ON = "Thickness", "Strength", "On"
+"""Inputs that every source has: what lies below it in the stack, how much of it is seen, and whether."""
+
+_BELOW = Input(BELOW, "What lies below this source", share=0.4, follows=True)
+_ALWAYS = (
+    Input(STRENGTH, "0: only what lies below, 1: only this source", value=1.0, maximum=1.0),
+    Input(ON, "Whether this source is seen at all", value=True),
+)
+
+
 @dataclass(frozen=True)
 class Source:
+    """One layer of a stack of sources. `coordinates` says what feeds `Vector`: an output of Texture
+    Coordinate, POSITION (in the scene), POINT (an object's own space) or CURVE (see `nodes.heat`)."""
+
     id: str
     name: str
     description: str
-    inputs: tuple[Input, ...]
-    coordinates: str | None = None  # output of Texture Coordinate that feeds `Vector`
+    own: tuple[Input, ...]
+    coordinates: str | None = None
+    below: str = BELOW
 
     @property
-    def goes_upon_another(self) -> bool:
-        """Whether it changes a thickness instead of making one."""
-        return any(item.name == "Thickness" for item in self.inputs)
+    def inputs(self) -> tuple[Input, ...]:
+        """In the order of the sockets."""
+        ahead = () if self.below in (item.name for item in self.own) else (_BELOW,)
+        return (*ahead, *self.own, *_ALWAYS)
+
+    @property
+    def changes_what_is_below(self) -> bool:
+        """Whether it is nothing by itself."""
+        return self.below != BELOW or not any(
+            item.is_thickness and not item.added for item in self.own
+        )
 
     @property
     def stands_alone(self) -> bool:
-        """Whether it needs neither a picture nor an attribute."""
-        return all(item.name != "Value" for item in self.inputs)
+        """Whether it needs neither a picture, nor an attribute, nor an object."""
+        fed = any(item.name == "Value" for item in self.own)
+        return not fed and self.coordinates not in (POINT, CURVE)
 
+
+POSITION, POINT, CURVE = "Position", "Point", "Curve"
 
 _VECTOR = Input("Vector", "Where on the surface", value=(0.0, 0.0, 0.0))
 _LEAST = Input("Minimum", "Thickness where the value is 0", share=0.0)
 _LARGEST = Input("Maximum", "Thickness where the value is 1", share=1.0)
+_NEAR = Input("Near", "Thickness at the start", share=0.0)
+_FAR = Input("Far", "Thickness at the end", share=1.0)
+_START = Input("Start", "Where it starts, in the object's box: 0 to 1", value=(0.0, 0.5, 0.5))
+
+
+def _axes(values: tuple[float, float, float]) -> Input:
+    return Input("Axes", "How much each axis counts; 0 leaves it out", value=values)
+
+
+# Oxide grows as √t, and the faster the hotter it is: d = d₀ exp(-B/T). A fit of B to the temperatures
+# of the workshop's colours (galvanotechnik-for-you.de, Anlauffarben: 220 °C pale yellow to 293 °C blue)
+# and the thicknesses of magnetite that have these colours (10 to 48 nm) is within 3 nm of all.
+GROWTH_KELVIN = 5800.0
+
+_GROWTH = (
+    Input("Hottest", "Temperature at the source, in °C", value=330.0, maximum=3000.0, unit="c"),
+    Input("Coldest", "Temperature far from it, in °C", value=20.0, maximum=3000.0, unit="c"),
+    Input("Reach", "Distance over which the heat falls to a third", value=0.8, minimum=1e-4),
+    Input("Grown", "Thickness that grows at the next temperature", share=0.5, follows=True),
+    Input("At", "Temperature at which that thickness grows, in °C", value=280.0, unit="c"),
+    Input(
+        "Growth",
+        "How steeply the oxide grows with temperature, in K; 5800 fits the colours of carbon steel",
+        value=GROWTH_KELVIN,
+        minimum=1.0,
+        unit="k",
+    ),
+)
 
 SOURCES = (
     Source(
@@ -78,15 +137,92 @@ SOURCES = (
     ),
     Source(
         "attribute",
-        "Paint or Attribute",
-        "A colour attribute that is painted on, or any attribute from 0 to 1",
+        "Paint",
+        "Brushed onto the object, or any attribute from 0 to 1, through a ramp",
         (Input("Value", "0: minimum, 1: maximum", value=0.5, maximum=1.0), _LEAST, _LARGEST),
     ),
     Source(
-        "attribute_nm",
-        "Attribute in Units of Thickness",
-        "An attribute that holds the thickness itself, as from geometry nodes",
-        (Input("Value", "Thickness", share=0.5),),
+        "noise",
+        "Noise",
+        "Clouds from minimum to maximum",
+        (
+            _LEAST,
+            _LARGEST,
+            Input("Scale", "Clouds per unit of length", value=2.0),
+            Input("Detail", "Octaves of finer clouds", value=3.0, maximum=15.0),
+            _VECTOR,
+        ),
+        "Object",
+    ),
+    Source(
+        "gradient",
+        "Gradient over the Object",
+        "From one end of the object to the other",
+        (
+            _NEAR,
+            _FAR,
+            _START,
+            _axes((1.0, 0.0, 0.0)),
+            Input("Reach", "How far it goes; 1 is the whole object", value=1.0, minimum=1e-4),
+            _VECTOR,
+        ),
+        "Generated",
+    ),
+    Source(
+        "height",
+        "Gradient by Height",
+        "From a height in the scene to another",
+        (
+            Input("Near", "Thickness at the bottom", share=0.0),
+            Input("Far", "Thickness at the top", share=1.0),
+            Input("Bottom", "Height where it starts", value=-1.0, minimum=-1e6, unit="m"),
+            Input("Top", "Height where it ends", value=1.0, minimum=-1e6, unit="m"),
+            _VECTOR,
+        ),
+        POSITION,
+    ),
+    Source(
+        "distance",
+        "Gradient from a Point",
+        "Outwards from an empty that can be moved",
+        (
+            _NEAR,
+            _FAR,
+            Input("Reach", "How far it goes, in sizes of the empty", value=1.0, minimum=1e-4),
+            _VECTOR,
+        ),
+        POINT,
+    ),
+    Source(
+        "edge",
+        "Edge Wear",
+        "Another thickness where the object has edges",
+        (
+            Input("Faces", "Thickness away from edges", share=0.6),
+            Input("Edges", "Thickness on edges", share=0.1),
+            Input("Width", "How far from an edge it is worn", value=0.2, minimum=1e-4, unit="m"),
+        ),
+    ),
+    Source(
+        "temperature",
+        "Heat over the Object",
+        "Temper colours of an object that was heated at one end",
+        (*_GROWTH, _START, _axes((1.0, 0.15, 0.15)), _VECTOR),
+        "Generated",
+    ),
+    Source(
+        "heat_point",
+        "Heat from a Point",
+        "Temper colours around an empty that can be moved, as around a torch",
+        (*_GROWTH, _VECTOR),
+        POINT,
+    ),
+    Source(
+        "heat_curve",
+        "Heat along a Curve",
+        "Temper colours along a curve, as beside a weld",
+        (*_GROWTH, _VECTOR),
+        CURVE,
     ),
     Source(
         "drop",
@@ -100,6 +236,7 @@ SOURCES = (
             _VECTOR,
         ),
         "UV",
+        below="Base",
     ),
     Source(
         "drainage",
@@ -117,9 +254,8 @@ SOURCES = (
     Source(
         "swirl",
         "Swirl",
-        "Eddies that carry the film along; add it upon another source, and drive Time",
+        "Eddies that carry what lies below along; drive Time",
         (
-            Input("Thickness", "Thickness that is swirled", share=0.4),
             Input("Amount", "Share of the thickness by which it is changed", value=0.35),
             Input("Scale", "Eddies per unit of length", value=2.0),
             Input("Flow", "How far the eddies carry", value=1.0),
@@ -138,11 +274,14 @@ SOURCES = (
         "spread",
         "Spread",
         "Unevenness too fine to be seen: each sample draws a thickness, so that fringes fade as they "
-        "do where the thickness varies within a pixel; add it upon another source",
-        (
-            Input("Thickness", "Mean thickness", share=0.4),
-            Input("Spread", "Standard deviation of the thickness", share=0.02, added=True),
-        ),
+        "do where the thickness varies within a pixel",
+        (Input("Spread", "Standard deviation of the thickness", share=0.02, added=True),),
+    ),
+    Source(
+        "attribute_nm",
+        "Attribute in Units of Thickness",
+        "An attribute that holds the thickness itself, as from geometry nodes",
+        (Input("Value", "Thickness", share=0.5),),
     ),
 )
 
@@ -233,10 +372,8 @@ def _above(
     """What a drop piles up beyond the tables, which hold their edge there."""
     if source.id != "drop" or not given:
         return []
-    base, height = (
-        given.get(item.name, default_thickness(item, span)) for item in source.inputs[:2]
-    )
+    base, height = (given.get(item.name, default_thickness(item, span)) for item in source.own[:2])
     if base + height <= span[1]:
         return []
-    names = " + ".join(item.option(unit) for item in source.inputs[:2])
+    names = " + ".join(item.option(unit) for item in source.own[:2])
     return [f"{names}: must be ≤ {span[1]:g}, which the tables cover (got {base:g} + {height:g})"]

@@ -18,6 +18,8 @@ from .image import drop_unused, is_missing
 
 AFTER_REBUILD: list[Callable[[bpy.types.Material], None]] = []
 """What looks at a material's group, and has to look at the new one."""
+WHEN_MADE: list[Callable[[bpy.types.Material], None]] = []
+"""What adds to a group that was just put in place."""
 
 
 def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material:
@@ -38,6 +40,8 @@ def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material
     tree.links.new(node.outputs[0], output.inputs["Surface"])
     material[groups.SCHEMA] = groups.SCHEMA_VERSION
     material[groups.MATERIAL] = compiled.id
+    for add in WHEN_MADE:
+        add(material)
     return material
 
 
@@ -76,7 +80,7 @@ def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, f
     surface = next(n for n in material.node_tree.nodes if n.type == "OUTPUT_MATERIAL")
     if not surface.inputs["Surface"].is_linked:
         material.node_tree.links.new(node.outputs[0], surface.inputs["Surface"])
-    for follow in AFTER_REBUILD:
+    for follow in (*WHEN_MADE, *AFTER_REBUILD):
         follow(material)
 
 

@@ -5,15 +5,14 @@
 from __future__ import annotations
 
 import bpy
-from bpy.props import EnumProperty, StringProperty
+from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
+from mathutils import Vector
 
-from ..core.thickness import SOURCES
-from ..nodes import thickness
+from ..core.thickness import CURVE, POINT, SOURCES, source
+from ..nodes import film_colours, heat, painting, thickness
+from ..nodes.image import hold_as_data
 from ..output import OutputError
 from .guard import allows_change, reports_errors
-
-PAINTED = "Film Thickness"
-"""Colour attribute that is made for painting."""
 
 
 def _material(context) -> bpy.types.Material | None:
@@ -32,6 +31,27 @@ class _ThicknessOperator(bpy.types.Operator):
         return allows_change(cls, material)
 
 
+class _SourceOperator(_ThicknessOperator):
+    """Of one source of the stack: 0 is the uppermost."""
+
+    index: IntProperty(name="Source", description="Which source, from the top", min=0)
+
+    @classmethod
+    def poll(cls, context):
+        if not super().poll(context):
+            return False
+        if not thickness.sources_of(_material(context)):
+            cls.poll_message_set("The thickness of the active material does not vary")
+            return False
+        return True
+
+    def source(self, context) -> bpy.types.ShaderNodeGroup:
+        sources = thickness.sources_of(_material(context))
+        if self.index >= len(sources):
+            raise OutputError(f"There is no source {self.index}; there are {len(sources)}")
+        return sources[self.index]
+
+
 class NACRE_OT_add_thickness(_ThicknessOperator):
     bl_idname = "nacre.add_thickness"
     bl_label = "Nacre: Vary Thickness"
@@ -48,7 +68,7 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
     )
     attribute: StringProperty(
         name="Attribute",
-        description=f"Name of the attribute; without one, {PAINTED!r} is made for painting",
+        description=f"Name of the attribute; without one, {painting.LAYER!r} is made for painting",
     )
 
     @classmethod
@@ -58,19 +78,72 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
     @reports_errors
     def execute(self, context):
         material = _material(context)
+        spec = source(self.source)
         image = None
         if self.source == "map" and self.filepath:
             image = _picture(bpy.path.abspath(self.filepath))  # before anything is changed
-        before = [node.label or node.name for node in thickness.sources_of(material)]
-        added = thickness.add_source(material, self.source)
-        if before and len(thickness.sources_of(material)) == 1:
-            self.report({"INFO"}, f"{added.label} takes the place of {', '.join(before)}.")
-        if image is not None:
-            thickness.link_image(material, image)
+        around = _around(context, spec.coordinates)
+        below = thickness.sources_of(material)
+        added = thickness.add_source(material, self.source, around)
+        if below and not spec.changes_what_is_below:
+            names = " · ".join(node.label or node.name for node in below)
+            self.report(
+                {"INFO"}, f"{added.label} lies upon {names}; lower its Strength to see both."
+            )
+        if self.source == "map":
+            thickness.link_image(material, added, image)
         if self.source.startswith("attribute"):
-            name = self.attribute or _paintable(context.object)
-            thickness.link_attribute(material, name, ramp=self.source == "attribute")
+            name = self.attribute or painting.layer_of(context.object)
+            thickness.link_attribute(material, added, name, ramp=self.source == "attribute")
         return {"FINISHED"}
+
+
+def _around(context, coordinates: str | None) -> bpy.types.Object | None:
+    """What a source follows: made beside the object, unless a curve is selected."""
+    if coordinates == POINT:
+        return _beside(context, "Film Point", None)
+    if coordinates != CURVE:
+        return None
+    selected = (obj for obj in context.selected_objects or () if obj.type == "CURVE")
+    curve = next(selected, None) or _beside(context, "Heat Curve", _line())
+    wanted = _material(context)
+    objects = [
+        obj
+        for obj in context.scene.objects
+        if obj.type == "MESH" and any(slot.material == wanted for slot in obj.material_slots)
+    ]
+    if not objects:
+        raise OutputError("Heat along a curve needs a mesh with this material")
+    heat.follow_curve(objects, curve)
+    return curve
+
+
+def _beside(context, name: str, data: bpy.types.Curve | None) -> bpy.types.Object:
+    """At the upper front edge of the active object's box, half as large as that."""
+    obj = context.object
+    corners = [obj.matrix_world @ Vector(corner) for corner in obj.bound_box]
+    low, high = (Vector(map(pick, zip(*corners, strict=True))) for pick in (min, max))
+    made = bpy.data.objects.new(name, data)
+    if data is None:
+        made.empty_display_type = "SPHERE"
+        made.location = low[0], (low[1] + high[1]) / 2.0, high[2]
+    else:
+        made.location = (low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0, high[2]
+    size = max(high - low) / 2.0 or 1.0
+    made.scale = size, size, size
+    context.collection.objects.link(made)
+    return made
+
+
+def _line() -> bpy.types.Curve:
+    curve = bpy.data.curves.new("Heat Curve", "CURVE")
+    curve.dimensions = "3D"
+    spline = curve.splines.new("BEZIER")
+    spline.bezier_points.add(1)
+    for point, x in zip(spline.bezier_points, (-1.0, 1.0), strict=True):
+        point.co = (x, 0.0, 0.0)
+        point.handle_left_type = point.handle_right_type = "AUTO"
+    return curve
 
 
 def _picture(path: str) -> bpy.types.Image:
@@ -83,17 +156,90 @@ def _picture(path: str) -> bpy.types.Image:
     return image
 
 
-def _paintable(obj: bpy.types.Object) -> str:
-    """The mesh's colour attribute for painting, half-way up the range when it is new."""
-    attributes = getattr(obj.data, "color_attributes", None)
-    if attributes is None:
-        return PAINTED
-    layer = attributes.get(PAINTED)
-    if layer is None:
-        layer = attributes.new(PAINTED, "FLOAT_COLOR", "POINT")
-        layer.data.foreach_set("color", [0.5, 0.5, 0.5, 1.0] * len(layer.data))
-    attributes.active_color = layer
-    return PAINTED
+class NACRE_OT_open_thickness_image(_SourceOperator):
+    bl_idname = "nacre.open_thickness_image"
+    bl_label = "Nacre: Open Thickness Picture"
+    bl_description = "Choose a picture whose grey values are the thickness"
+
+    filepath: StringProperty(
+        name="Image", description="Picture of the thickness", subtype="FILE_PATH"
+    )
+    filter_image: bpy.props.BoolProperty(
+        name="Pictures", description="List pictures", default=True, options={"HIDDEN"}
+    )
+    filter_folder: bpy.props.BoolProperty(
+        name="Folders", description="List folders", default=True, options={"HIDDEN"}
+    )
+
+    def invoke(self, context, _event):
+        context.window_manager.fileselect_add(self)
+        return {"RUNNING_MODAL"}
+
+    @reports_errors
+    def execute(self, context):
+        material = _material(context)
+        node = _image_source(self, context)
+        thickness.link_image(material, node, _picture(bpy.path.abspath(self.filepath)))
+        return {"FINISHED"}
+
+
+def _image_source(operator: _SourceOperator, context) -> bpy.types.ShaderNodeGroup:
+    """The one that is meant, or the uppermost that is fed by a picture."""
+    sources = thickness.sources_of(_material(context))
+    pictures = [node for node in sources if thickness.spec_of(node).id == "map"]
+    if operator.index < len(sources) and sources[operator.index] in pictures:
+        return sources[operator.index]
+    if not pictures:
+        raise OutputError("No source of the thickness is a picture; add Image")
+    return pictures[0]
+
+
+class NACRE_OT_read_as_data(_SourceOperator):
+    bl_idname = "nacre.read_as_data"
+    bl_label = "Nacre: Read as Data"
+    bl_description = "Take the grey values of this picture as they are, without a colour space"
+
+    @reports_errors
+    def execute(self, context):
+        image = thickness.image_node(_image_source(self, context)).image
+        if image is None:
+            raise OutputError("There is no picture yet")
+        hold_as_data(image)
+        return {"FINISHED"}
+
+
+class NACRE_OT_remove_thickness_source(_SourceOperator):
+    bl_idname = "nacre.remove_thickness_source"
+    bl_label = "Nacre: Remove Source of Thickness"
+    bl_description = "Take this source away; the others stay"
+
+    @reports_errors
+    def execute(self, context):
+        thickness.remove_source(_material(context), self.source(context))
+        return {"FINISHED"}
+
+
+class NACRE_OT_move_thickness_source(_SourceOperator):
+    bl_idname = "nacre.move_thickness_source"
+    bl_label = "Nacre: Move Source of Thickness"
+    bl_description = "Put this source above or below its neighbour"
+
+    direction: EnumProperty(
+        name="Direction",
+        description="Which way it goes",
+        items=(
+            ("UP", "Up", "Above the one over it"),
+            ("DOWN", "Down", "Below the one under it"),
+        ),
+    )
+
+    @reports_errors
+    def execute(self, context):
+        places = 1 if self.direction == "UP" else -1
+        if not thickness.move_source(_material(context), self.source(context), places):
+            self.report({"INFO"}, "It cannot go any further.")
+            return {"CANCELLED"}
+        return {"FINISHED"}
 
 
 class NACRE_OT_remove_thickness(_ThicknessOperator):
@@ -110,7 +256,7 @@ class NACRE_OT_remove_thickness(_ThicknessOperator):
 class NACRE_OT_animate_thickness(_ThicknessOperator):
     bl_idname = "nacre.animate_thickness"
     bl_label = "Nacre: Run with the Scene"
-    bl_description = "Let the scene's frames run the swirl's time"
+    bl_description = "Let the scene's frames run the time of swirls and drainage"
 
     @reports_errors
     def execute(self, context):
@@ -120,6 +266,62 @@ class NACRE_OT_animate_thickness(_ThicknessOperator):
             return {"CANCELLED"}
         for node in timed:
             thickness.animate(node)
+        return {"FINISHED"}
+
+
+class NACRE_OT_set_thickness(_ThicknessOperator):
+    bl_idname = "nacre.set_thickness"
+    bl_label = "Nacre: Set Film Thickness"
+    bl_description = "Give the film the thickness that has this colour"
+
+    thickness: FloatProperty(
+        name="Thickness", description="In the unit of the material", min=0.0, default=100.0
+    )
+
+    @classmethod
+    def description(cls, context, properties):
+        """Such as `40 nm: purple`."""
+        material = _material(context)
+        chips = film_colours.chips(material) if material is not None else ()
+        near = min(chips, key=lambda chip: abs(chip.thickness - properties.thickness), default=None)
+        return f"{properties.thickness:.3g}: {near.name}." if near else cls.bl_description
+
+    @reports_errors
+    def execute(self, context):
+        socket = thickness.thickness_socket(_material(context))
+        if socket.is_linked:
+            self.report({"ERROR"}, "The thickness varies: change its sources, or take them away")
+            return {"CANCELLED"}
+        low, high = thickness.thickness_range(socket)
+        socket.default_value = min(max(self.thickness, low), high)
+        return {"FINISHED"}
+
+
+class NACRE_OT_paint_thickness(_SourceOperator):
+    bl_idname = "nacre.paint_thickness"
+    bl_label = "Nacre: Start Painting"
+    bl_description = "Paint the film's thickness onto the object with Blender's brushes"
+
+    value: FloatProperty(
+        name="Value",
+        description="What the brush puts on: 0 is the minimum, 1 the maximum; -1: as it was",
+        min=-1.0,
+        max=1.0,
+        default=-1.0,
+    )
+    colour: StringProperty(name="Colour", description="What the film looks like there")
+
+    @classmethod
+    def description(cls, _context, properties):
+        return f"Paint with {properties.colour}." if properties.colour else cls.bl_description
+
+    @reports_errors
+    def execute(self, context):
+        node = self.source(context)
+        attribute = thickness.feed_of(node, "ATTRIBUTE")
+        if attribute is None:
+            raise OutputError("This source is not painted; add Paint")
+        painting.begin(context, attribute, self.value if self.value >= 0.0 else None)
         return {"FINISHED"}
 
 
@@ -136,7 +338,13 @@ class NACRE_MT_thickness(bpy.types.Menu):
 
 CLASSES = (
     NACRE_OT_add_thickness,
+    NACRE_OT_open_thickness_image,
+    NACRE_OT_read_as_data,
+    NACRE_OT_remove_thickness_source,
+    NACRE_OT_move_thickness_source,
     NACRE_OT_remove_thickness,
     NACRE_OT_animate_thickness,
+    NACRE_OT_set_thickness,
+    NACRE_OT_paint_thickness,
     NACRE_MT_thickness,
 )

@@ -12,8 +12,8 @@ from ..nodes import group as groups
 from ..nodes import lighting
 from ..nodes import scene as scene_setup
 from ..nodes.material import describe, group_node, missing_tables, notes
-from ..nodes.thickness import ramp_of, sources_of, thickness_socket
-from . import wrapped
+from ..nodes.thickness import thickness_socket
+from . import thickness_panel, wrapped
 
 
 class _WaveOptics:
@@ -65,8 +65,7 @@ def draw_material(layout, context) -> None:
     node = group_node(material)
     _draw_problems(layout, context, material)
     _draw_notes(layout, material)
-    _draw_sockets(layout, material, node)
-    _draw_sources(layout, material)
+    _draw_sockets(layout, context, material, node)
     _draw_form(layout, node)
 
 
@@ -102,12 +101,13 @@ def _draw_notes(layout, material) -> None:
         wrapped.label(layout.box(), note, "INFO")
 
 
-def _draw_sockets(layout, material, node) -> None:
+def _draw_sockets(layout, context, material, node) -> None:
+    thickness_panel.draw(layout, context)
     column = layout.column()
     varies = thickness_socket(material)
     used = _used_inputs(node.node_tree)
     for socket in node.inputs:
-        if socket.hide_value or socket.identifier not in used:
+        if socket.hide_value or socket.identifier not in used or socket == varies:
             continue
         row = column.row(align=True)
         if socket.is_linked:
@@ -115,31 +115,12 @@ def _draw_sockets(layout, material, node) -> None:
             row.label(text="Linked", icon="LINKED")
         else:
             row.prop(socket, "default_value", text=socket.name)
-        if socket == varies:
-            row.menu("NACRE_MT_thickness", text="", icon="TEXTURE")
 
 
 def _used_inputs(tree: bpy.types.NodeTree) -> set[str]:
     """Identifiers of inputs that lead to something; one that only the other form has does not."""
     outputs = (out for node in tree.nodes if node.type == "GROUP_INPUT" for out in node.outputs)
     return {out.identifier for out in outputs if out.is_linked}
-
-
-def _draw_sources(layout, material) -> None:
-    """What feeds the thickness, last first, each with its inputs."""
-    for node in sources_of(material):
-        box = layout.box()
-        row = box.row()
-        row.label(text=node.label or node.name, icon="TEXTURE")
-        if "Time" in node.inputs:
-            row.operator("nacre.animate_thickness", text="", icon="TIME")
-        column = box.column()
-        for socket in node.inputs:
-            if not socket.hide_value and not socket.is_linked:
-                column.prop(socket, "default_value", text=socket.name)
-        ramp = ramp_of(node)
-        if ramp is not None:
-            box.template_color_ramp(ramp, "color_ramp")
 
 
 def _draw_form(layout, node) -> None:

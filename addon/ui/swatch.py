@@ -15,7 +15,7 @@ _collections: list[bpy.utils.previews.ImagePreviewCollection] = []  # one at mos
 _shown: dict[str, tuple] = {}  # what each icon was drawn from
 
 COLUMNS, ROWS = 48, 96
-MOST_ICONS = 64  # more than any window shows; older ones are drawn again when they are wanted
+MOST_ICONS = 256  # more than any window shows; older ones are drawn again when they are wanted
 
 
 def swatch(material: bpy.types.Material) -> int:
@@ -36,6 +36,12 @@ def spectrum(material: bpy.types.Material, value: float, angle_deg: float) -> in
 def curve(name: str, values: tuple[float, ...]) -> int:
     """Icon of a spectrum that is known already, 471 values from 360 nm."""
     return _icon(name, (values,), _draw_curve)
+
+
+def chip(rgb: tuple[float, float, float]) -> int:
+    """Icon of one colour, sRGB from 0 to 1."""
+    code = "".join(f"{round(255.0 * channel):02x}" for channel in rgb)
+    return _icon(f"#{code}", (rgb,), _draw_chip)
 
 
 def unregister() -> None:
@@ -89,6 +95,12 @@ def _draw_spectrum(_library: str, wanted: stack.Recipe, value: float, angle_deg:
         wanted.template, value, angle_deg, **wanted.conditions._asdict()
     )
     return _draw_curve(tuple(found.reflectance))
+
+
+def _draw_chip(rgb: tuple[float, float, float]):
+    from ..core import plot
+
+    return plot.chip(rgb)
 
 
 def _draw_curve(values: tuple[float, ...]):

@@ -10,6 +10,7 @@ import shutil
 
 import numpy as np
 import pytest
+from nacre_extension.core import colour_names
 from nacre_extension.core.form import FormError, Renderer, choose_form
 from nacre_extension.core.library import Library
 from nacre_extension.core.manifest import ManifestError, load_folder
@@ -400,8 +401,18 @@ def test_values_of_a_source_are_read():
 @pytest.mark.parametrize(
     ("text", "messages"),
     [
-        ("rain", ["no source 'rain'; there are: drop, drainage, swirl, spread"]),
-        ("map:value=1", ["no source 'map'; there are: drop, drainage, swirl, spread"]),
+        (
+            "rain",
+            [
+                "no source 'rain'; there are: noise, gradient, height, edge, temperature, drop, drainage"
+            ],
+        ),
+        (
+            "map:value=1",
+            [
+                "no source 'map'; there are: noise, gradient, height, edge, temperature, drop, drainage"
+            ],
+        ),
         (
             "drop:",
             ["drop: must be NAME=VALUE (got ''); there are: base_nm, height_nm, centre, radius"],
@@ -441,3 +452,35 @@ def test_cut_off_picture_is_not_whole(tmp_path):
     for length in (0, 4, 40, len(data) // 2, len(data) - 1):
         cut.write_bytes(data[:length])
         assert not is_whole(cut)
+
+
+@pytest.mark.parametrize(
+    ("linear", "wanted"),
+    [
+        # The computed colours of magnetite on iron that have these names in the workshop.
+        ((0.4595, 0.4269, 0.3608), "silver"),
+        ((0.3508, 0.2881, 0.1576), "straw"),
+        ((0.2111, 0.1173, 0.0072), "brown"),
+        ((0.0949, 0.015, 0.0463), "purple"),
+        ((-0.0056, 0.0127, 0.2326), "blue"),
+        ((0.0584, 0.2223, 0.4788), "light blue"),
+        ((0.0, 0.0, 0.0), "black"),
+        ((0.8, 0.8, 0.8), "silver"),
+        ((0.1, 0.1, 0.1), "grey"),
+        ((0.9, 0.6, 0.05), "gold"),
+        ((0.02, 0.4, 0.05), "green"),
+    ],
+)
+def test_names_of_colours(linear, wanted):
+    assert colour_names.name(linear) == wanted
+
+
+def test_colours_along_a_range_name_each_once_in_its_middle():
+    grey, red, blue = (0.2, 0.2, 0.2), (0.5, 0.02, 0.02), (0.02, 0.05, 0.6)
+    colours = [grey] * 30 + [red] * 10 + [blue] * 20
+    values = [float(index) for index in range(60)]
+    assert colour_names.along(values, colours) == "red at 35, blue at 50"
+    assert colour_names.along(values, [grey] * 60) == "grey at 30"
+    # A clear film is named as an eye sees it that has grown used to it.
+    dim = [[0.05 * channel for channel in colour] for colour in colours]
+    assert colour_names.along(values, dim) == "salmon at 35, blue at 50"
