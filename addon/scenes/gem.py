@@ -37,14 +37,14 @@ _POSES = (
 
 
 def _place(scene, centre, size, turn_deg, lean_deg) -> bpy.types.Object:
-    stone = _brilliant(scene)
+    stone = brilliant(scene)
     stone.scale = (size, size, size)
     stone.rotation_euler = (math.radians(lean_deg), 0.0, math.radians(turn_deg))
     stone.location = (*centre, 0.5 * size * math.tan(math.radians(_PAVILION_DEG)) + 0.01)
     return stone
 
 
-def _brilliant(scene: bpy.types.Scene) -> bpy.types.Object:
+def brilliant(scene: bpy.types.Scene) -> bpy.types.Object:
     """57 facets and the girdle, as the hull of the corners of the cut; girdle diameter 1."""
     crown = 0.5 * (1.0 - _TABLE) * math.tan(math.radians(_CROWN_DEG))
     depth = 0.5 * math.tan(math.radians(_PAVILION_DEG))

@@ -18,7 +18,7 @@ def build(scene: bpy.types.Scene) -> Stage:
     environment(scene, "sunset", strength=2.6, turn_deg=90.0)
     area_lamp(scene, (0.0, 9.0, 7.5), (0.0, 0.0, 0.0), size=(26.0, 13.0), watts=1100.0)
     ground = mesh(scene, "Asphalt", _square(14.0), [(0, 1, 2, 3)], smooth=False)
-    ground.data.materials.append(_asphalt())
+    ground.data.materials.append(asphalt())
     vertices, faces = _puddle(0.004)
     uvs = [(0.5 + x / 4.0, 0.5 + y / 4.0) for x, y, _ in vertices]
     puddle = mesh(scene, "Puddle", vertices, faces, smooth=False, uvs=uvs)
@@ -41,7 +41,7 @@ def _puddle(z: float, points: int = 360):
     return vertices, [tuple(range(points))]
 
 
-def _asphalt() -> bpy.types.Material:
+def asphalt() -> bpy.types.Material:
     """Dark stones in bitumen; wet, so the hollows are smooth and the heights rough."""
     material = plain("Asphalt", (0.02, 0.02, 0.021), roughness=0.5)
     nodes, links = material.node_tree.nodes, material.node_tree.links
