@@ -16,7 +16,7 @@ import bpy
 from mathutils import Vector
 
 EXTENSION = "bl_ext.user_default.nacre"
-LABELS = {"thickness_nm": "Thickness (nm)", "roughness": "Roughness"}
+LABELS = {"thickness_nm": "Film Thickness (nm)", "roughness": "Roughness"}
 
 
 def new_scene(

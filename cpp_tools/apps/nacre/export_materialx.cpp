@@ -186,7 +186,7 @@ void add_values(MaterialXGraph& graph, const ExportedMaterial& material)
 {
     if (const std::string varying = material.varying(); !varying.empty()) {
         const lut::Variation& range = *material.request.variation;
-        graph.input(varying.c_str(), range.layer ? "Thickness (nm)" : "Thickness Scale",
+        graph.input(varying.c_str(), range.layer ? "Film Thickness (nm)" : "Film Thickness (×)",
                     material.value, range.min, range.max);
     }
     graph.input("roughness", "Roughness", material.roughness, 0.0, 1.0);

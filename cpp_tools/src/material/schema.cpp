@@ -160,6 +160,22 @@ Json base_schema()
             {"description", "matt base under a clear substrate"}};
 }
 
+Json look_schema()
+{
+    const Json source{
+        {"type", "string"},
+        {"pattern", "^[a-z][a-z0-9_]*(:[a-z][a-z0-9_]*=[^,]+(,[a-z][a-z0-9_]*=[^,]+)*)?$"}};
+    return object({{"object",
+                    {{"type", "string"},
+                     {"pattern", "^[a-z][a-z0-9_]*$"},
+                     {"description", "what the material is pictured on, such as blade"}}},
+                   {"thickness",
+                    {{"type", "array"},
+                     {"items", source},
+                     {"description", "what the thickness follows, the lowest source first"}}}},
+                  Json::array());
+}
+
 Json parameter_schema()
 {
     const Json bounds{{"minimum", 0}, {"maximum", 10}};
@@ -194,7 +210,8 @@ std::string template_json_schema()
                              {"transmission", {{"type", "boolean"}}},
                              {"diffuse_base", base_schema()}},
                             Json::array())},
-         {"parameter", {{"type", "array"}, {"items", parameter_schema()}}}},
+         {"parameter", {{"type", "array"}, {"items", parameter_schema()}}},
+         {"look", look_schema()}},
         {"schema", "material"});
     root["oneOf"] = Json::array({{{"required", {"ambient", "substrate"}}},
                                  {{"required", {"grating"}}},

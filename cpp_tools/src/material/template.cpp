@@ -19,13 +19,19 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kStatusNames{"measured", "sourced", "typical"};
 
-bool is_file_name_safe(std::string_view id)
+/// a to z, 0 to 9 and _, a letter first.
+bool is_plain_word(std::string_view word)
 {
     const auto allowed = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
     };
-    return id.size() <= 63 && id.front() >= 'a' && id.front() <= 'z' &&
-           std::ranges::all_of(id, allowed);
+    return !word.empty() && word.front() >= 'a' && word.front() <= 'z' &&
+           std::ranges::all_of(word, allowed);
+}
+
+bool is_file_name_safe(std::string_view id)
+{
+    return id.size() <= 63 && is_plain_word(id);
 }
 
 std::string required_text(Section& section, std::string_view key)
@@ -136,6 +142,53 @@ void read_parameter(Section& section, MaterialTemplate& result)
     result.parameters.push_back(std::move(parameter));
 }
 
+bool has_thickness_socket(const MaterialTemplate& result)
+{
+    const auto* stack = std::get_if<StackSpec>(&result.kind);
+    return stack && (stack->varying_layer() || stack->scale);
+}
+
+/// `drop`, or `drop:base_nm=100,centre=0.3:0.6`; which sources there are is for those to say who
+/// have them.
+bool is_source(std::string_view text)
+{
+    const auto colon = text.find(':');
+    if (!is_plain_word(text.substr(0, colon))) return false;
+    if (colon == std::string_view::npos) return true;
+    std::string_view values = text.substr(colon + 1);
+    for (;;) {
+        const auto comma = values.find(',');
+        const std::string_view value = values.substr(0, comma);
+        const auto equals = value.find('=');
+        if (equals == std::string_view::npos || !is_plain_word(value.substr(0, equals)) ||
+            equals + 1 == value.size())
+            return false;
+        if (comma == std::string_view::npos) return true;
+        values.remove_prefix(comma + 1);
+    }
+}
+
+void read_look(Section& root, MaterialTemplate& result)
+{
+    auto section = root.section("look");
+    if (!section) return;
+    result.look.object = section->text("object").value_or("");
+    if (section->has("object") && !result.look.object.empty() && !is_plain_word(result.look.object))
+        section->report("object", fmt::format("must be a word of a to z, 0 to 9 and _ (got \"{}\")",
+                                              result.look.object));
+    if (auto sources = section->texts("thickness")) {
+        const auto wrong = std::ranges::find_if_not(*sources, is_source);
+        if (wrong != sources->end())
+            section->report(
+                "thickness",
+                fmt::format("must be SOURCE or SOURCE:NAME=VALUE,… (got \"{}\")", *wrong));
+        else if (!has_thickness_socket(result))
+            section->report("thickness", "needs a film whose thickness varies, or has a scale");
+        result.look.thickness = std::move(*sources);
+    }
+    section->report_unknown_keys();
+}
+
 void read_template(Section& root, MaterialTemplate& result)
 {
     root.require("schema", "1");
@@ -144,6 +197,7 @@ void read_template(Section& root, MaterialTemplate& result)
     result.kind = read_kind(root);
     read_surface(root, result);
     for (Section& section : root.sections("parameter")) read_parameter(section, result);
+    read_look(root, result);
     root.report_unknown_keys();
 }
 

@@ -126,6 +126,8 @@ Json manifest(const Context& context)
         result["glass"] = {
             {"lines",
              {{"F", context.glass->n_F}, {"d", context.glass->n_d}, {"C", context.glass->n_C}}}};
+    if (source.look != material::LookSpec{})
+        result["look"] = {{"object", source.look.object}, {"thickness", source.look.thickness}};
     if (!context.held.empty()) result["held_ends"] = held_entries(context);
     if (const auto* grating = std::get_if<material::GratingSpec>(&source.kind))
         result["grating"] = {{"pitch_nm", grating->pitch_nm.value}, {"orders", grating->orders}};

@@ -39,11 +39,11 @@ Socket share(std::string name, std::string label, std::string description, doubl
 void add_film(const StackSpec& stack, const MaterialTemplate& source, std::vector<Socket>& result)
 {
     if (const auto layer = stack.varying_layer())
-        result.push_back(slider("thickness_nm", "Thickness (nm)", "nm",
+        result.push_back(slider("thickness_nm", "Film Thickness (nm)", "nm",
                                 "Thickness of the film, held to the range of the table",
                                 stack.layers[*layer].thickness_nm));
     if (stack.scale)
-        result.push_back(slider("thickness_scale", "Thickness Scale", "1",
+        result.push_back(slider("thickness_scale", "Film Thickness (×)", "1",
                                 "Factor on the thickness of every layer, held to the range of the "
                                 "table; moves all colours",
                                 *stack.scale));

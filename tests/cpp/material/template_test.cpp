@@ -89,6 +89,34 @@ TEST(Template, KnowsHowFarItCanBeTrusted)
               "\"true\")\nt.toml:8: material.tags: must be strings that are not empty\n");
 }
 
+TEST(Template, CarriesALook)
+{
+    const std::string film =
+        kFilm +
+        "[[layer]]\nn = 2\nthickness_nm = { default = 9, min = 0, max = 99, varies = true }\n";
+    EXPECT_EQ(parse_template(film, "t.toml").look, LookSpec{});
+    const auto worn = parse_template(film +
+                                         "[look]\nobject = \"blade\"\nthickness = "
+                                         "[\"drop:base_nm=50,centre=0.3:0.6\", \"swirl\"]\n",
+                                     "t.toml");
+    EXPECT_EQ(worn.look.object, "blade");
+    EXPECT_EQ(worn.look.thickness,
+              (std::vector<std::string>{"drop:base_nm=50,centre=0.3:0.6", "swirl"}));
+
+    for (const auto* wrong : {"", ":", "drop:", "drop:base_nm", "drop:base_nm=", "drop:=1", "Drop",
+                              "drop:base_nm=1,", "drop:base_nm=1,,height_nm=2", "a b"})
+        EXPECT_THROW(static_cast<void>(parse_template(
+                         film + "[look]\nthickness = [\"" + wrong + "\"]\n", "t.toml")),
+                     InputError)
+            << wrong;
+    EXPECT_NE(problems(film + "[look]\nobject = \"a blade\"\n")
+                  .find("look.object: must be a word of a to z, 0 to 9 and _ (got \"a blade\")"),
+              std::string::npos);
+    EXPECT_NE(problems(kHead + "[glass]\nn = 1.5\n[look]\nthickness = [\"swirl\"]\n")
+                  .find("look.thickness: needs a film whose thickness varies, or has a scale"),
+              std::string::npos);
+}
+
 TEST(Template, KnowsWhatLiesBelowTheFilm)
 {
     const auto interior = [](const std::string& substrate, const std::string& surface) {

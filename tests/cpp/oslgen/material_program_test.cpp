@@ -155,7 +155,7 @@ TEST(MaterialProgram, ManifestHoldsWhatTheExtensionNeeds)
     EXPECT_EQ(manifest["wavelength_per_path"], false);
     EXPECT_EQ(manifest["template_sha256"], source.sha256);
     EXPECT_EQ(manifest["gamut"], (Json{{"negative", true}, {"lowest", -0.25}}));
-    EXPECT_EQ(manifest["sockets"][0]["label"], "Thickness (nm)");
+    EXPECT_EQ(manifest["sockets"][0]["label"], "Film Thickness (nm)");
     EXPECT_EQ(manifest["tables"].size(), 4u);
     EXPECT_EQ(manifest["tables"][0]["axes"][1]["max"], 1500.0);
     expect_sound(manifest, manifest["graphs"]["osl"]);

@@ -157,6 +157,14 @@ enum class Status {
 
 [[nodiscard]] std::string_view status_name(Status status);
 
+/// How the material looks its best. The library does not read it: who makes pictures does.
+struct LookSpec {
+    std::string object;                  ///< what it is pictured on, such as `blade`; may be empty
+    std::vector<std::string> thickness;  ///< sources of a thickness, `SOURCE[:NAME=VALUE,…]`
+
+    bool operator==(const LookSpec&) const = default;
+};
+
 struct MaterialTemplate {
     std::string id, name, category, description, source;
     Status status = Status::typical;
@@ -164,6 +172,7 @@ struct MaterialTemplate {
     std::variant<StackSpec, GratingSpec, GlassSpec> kind;
     SurfaceSpec surface;
     std::vector<ParameterSpec> parameters;
+    LookSpec look;
 
     [[nodiscard]] const ParameterSpec* parameter(std::string_view parameter_name) const;
     /// All that it is made of, from the ambient or the cover down.
