@@ -18,6 +18,8 @@ import sys
 import tempfile
 from pathlib import Path
 
+from write_manual import write_manual
+
 ROOT = Path(__file__).resolve().parents[2]
 
 # Platform tags of wheels (the part after the last dash) and what Blender calls them.
@@ -59,9 +61,10 @@ def filled_manifest(text: str, version: str, wheels: list[Path]) -> str:
 
 
 def stage(folder: Path, wheels: list[Path], materials: Path) -> None:
-    ignored = shutil.ignore_patterns("__pycache__", "*.pyc", "materials", "wheels")
+    ignored = shutil.ignore_patterns("__pycache__", "*.pyc", "materials", "wheels", "manual")
     shutil.copytree(ROOT / "addon", folder, ignore=ignored)
     shutil.copytree(materials, folder / "materials")
+    write_manual(folder / "manual")
     (folder / "wheels").mkdir()
     for wheel in wheels:
         shutil.copyfile(wheel, folder / "wheels" / wheel.name)

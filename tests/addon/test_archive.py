@@ -25,8 +25,33 @@ def test_archive_carries_the_version_and_the_materials(archive):
         manifest = tomllib.loads(files.read("blender_manifest.toml").decode())
     assert manifest["version"] == version.group(1)
     assert manifest["blender_version_min"] == "4.2.0"
-    assert {"__init__.py", "render.py", "materials/test_film/test_film_R.exr"} <= names
+    assert {
+        "__init__.py",
+        "render.py",
+        "materials/test_film/test_film_R.exr",
+        "manual/blender.html",
+    } <= names
     assert not any("__pycache__" in name for name in names)
+
+
+def test_manual_is_whole(monkeypatch, tmp_path):
+    """Every page that a panel opens is there, and every link within it leads somewhere."""
+    monkeypatch.syspath_prepend(STAGE_EXTENSION.parent)
+    import write_manual
+    from nacre_extension.core.manual import PAGES
+
+    write_manual.write_manual(tmp_path)
+    pages = {path.name: path.read_text("utf-8") for path in tmp_path.glob("*.html")}
+    assert {f"{name}.html" for name, _, _ in PAGES} <= set(pages)
+    for name, text in pages.items():
+        for picture in re.findall(r'<img src="([^"]+)"', text):
+            assert (tmp_path / picture).is_file(), (name, picture)
+        for link in re.findall(r'<a href="([^"]+)"', text):
+            if link.startswith("http"):
+                continue
+            target, _, anchor = link.partition("#")
+            assert (target or name) in pages, (name, link)
+            assert not anchor or f'id="{anchor}"' in pages[target or name], (name, link)
 
 
 @pytest.fixture(scope="module")
