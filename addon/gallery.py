@@ -11,13 +11,12 @@ from pathlib import Path
 import bpy
 
 from .batch import Row, make_row
-from .core.library import Entry, Library
+from .core.library import Library
+from .core.looks import EVEN, picture_name, variants
 from .core.manifest import CompiledMaterial
 from .core.stack import read_stack
 from .core.whole_file import write_whole
 
-_STAGES = {"film": "shaderball", "grating": "disc", "glass": "gem"}
-_STAGES_BY_TAG = {"bubble": "bubble"}
 _ANGLES_DEG = (0, 45, 70)
 _SWATCH = (64, 96)  # height, width of the table that it is drawn from
 
@@ -50,20 +49,17 @@ Dots: at 0°, 45° and 70°, as the material comes. Colours outside sRGB are hel
 
 
 def rows(folder: Path, given: Sequence[str]) -> list[Row]:
-    """One picture for each material, in the order of the page."""
-    stage_given = any(word.partition("=")[0] == "--stage" for word in given)
+    """One picture for each variant of each material, in the order of the page."""
+    words = {word.partition("=")[0] for word in given}
+    is_varied = words & {"--vary", "--thickness-map"}
     made = []
-    for entry in Library.default().entries().values():
-        stage = [] if stage_given else ["--stage", _stage(entry)]
-        arguments = ["--material", entry.id, *stage]
-        made.append(make_row(entry.id, folder, f"{entry.id}.png", given, arguments))
+    for variant in variants(Library.default().entries()).values():
+        stage = [] if "--stage" in words else ["--stage", "portrait"]
+        look = [] if variant.is_even or is_varied else ["--look"]
+        arguments = ["--material", variant.entry.id, *stage, *look]
+        name = f"{picture_name(variant.key)}.png"
+        made.append(make_row(variant.key, folder, name, given, arguments))
     return made
-
-
-def _stage(entry: Entry) -> str:
-    """Where a material is seen at its best."""
-    by_tag = (_STAGES_BY_TAG[tag] for tag in entry.tags if tag in _STAGES_BY_TAG)
-    return next(by_tag, _STAGES[entry.kind])
 
 
 def write_page(folder: Path, shown: Sequence[Row]) -> Path:
@@ -71,7 +67,7 @@ def write_page(folder: Path, shown: Sequence[Row]) -> Path:
     sections: list[str] = []
     category = None
     for row in shown:
-        if not row.output.is_file():
+        if not row.output.is_file() or row.where.endswith(EVEN):
             continue
         material = library.load(row.options.material)
         if material.category != category:
@@ -90,6 +86,9 @@ def write_page(folder: Path, shown: Sequence[Row]) -> Path:
 def _article(folder: Path, material: CompiledMaterial) -> str:
     text = html.escape
     lines = [f'<article><img src="{material.id}.png" alt="{text(material.name)}" loading="lazy">']
+    even = f"{picture_name(material.id + EVEN)}.png"
+    if (folder / even).is_file():
+        lines.append(f'<img class="even" src="{even}" alt="of one thickness" loading="lazy">')
     lines.append(f'<div class="text"><h3>{text(material.name)}</h3>')
     if material.kind == "film" and material.template:
         lines += _film_lines(folder, material)

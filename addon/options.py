@@ -81,6 +81,12 @@ def parser() -> argparse.ArgumentParser:
         "--stage", metavar="NAME", help=f"one of {', '.join(stage_names())} (default shaderball)"
     )
     stage.add_argument(
+        "--look",
+        action="store_true",
+        help="as the library pictures it: on its own object unless --stage says where, its thickness "
+        "varied; the stage portrait alone keeps the thickness even",
+    )
+    stage.add_argument(
         "--set",
         metavar="NAME=VALUE",
         action="append",
@@ -248,6 +254,12 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
         if len(options.output) != 1:
             raise UsageError("-o: one folder for all pictures")
         return options
+    _check_source(options)
+    _check_thickness(options)
+    return options
+
+
+def _check_source(options: argparse.Namespace) -> None:
     sources = [options.material, options.compiled, options.template, options.blend]
     if sum(source is not None for source in sources) != 1:
         raise UsageError(
@@ -256,18 +268,35 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
     if options.blend is None and (options.assign or options.scene):
         raise UsageError(f"{'--assign' if options.assign else '--scene'} needs --blend")
     varied = options.vary or options.thickness_map
-    of_a_stage = options.stage or options.set or options.animate or options.technique
+    of_a_stage = (
+        options.stage or options.look or options.set or options.animate or options.technique
+    )
     if options.blend is not None and (of_a_stage or varied):
         raise UsageError(
-            "--stage, --set, --technique, --animate, --vary and --thickness-map do not go with --blend"
+            "--stage, --look, --set, --technique, --animate, --vary and --thickness-map do not go with "
+            "--blend"
         )
-    moves = options.blend or options.animate or "swirl" in {item.source.id for item in options.vary}
+    moves = options.blend or options.animate or options.look or _swirls(options)
     if options.frames and not moves:
-        raise UsageError("--frames needs --blend, --animate or --vary swirl: nothing else moves")
+        raise UsageError(
+            "--frames needs --blend, --animate, --look or --vary swirl: nothing else moves"
+        )
     if options.animate and not options.frames:
         raise UsageError("--animate needs --frames")
+
+
+def _swirls(options: argparse.Namespace) -> bool:
+    return "swirl" in {item.source.id for item in options.vary}
+
+
+def _check_thickness(options: argparse.Namespace) -> None:
+    if options.look and (options.vary or options.thickness_map):
+        raise UsageError(
+            "--look does not go with --vary and --thickness-map, which it brings along"
+        )
     if options.range and not options.thickness_map:
         raise UsageError("--range needs --thickness-map")
-    if options.thickness_map and not all(item.source.changes_what_is_below for item in options.vary):
+    if options.thickness_map and not all(
+        item.source.changes_what_is_below for item in options.vary
+    ):
         raise UsageError("--thickness-map goes with --vary drop, swirl and spread alone")
-    return options

@@ -20,6 +20,7 @@ from bpy.props import (
 from .core.fields import FIELDS, SHADED
 from .core.library import Library
 from .core.light import AS_COMPILED, ILLUMINANTS, OBSERVERS, menu_item
+from .core.looks import variants
 from .core.stack import TECHNIQUES as TECHNIQUE_TEXTS
 from .core.stack import Layer, Stack, StackError
 from .core.words import finds
@@ -230,9 +231,9 @@ def _choices(self, _context):
     if _found_for[0] is not entries or _found_for[1] != self.search:
         _found_for[:] = entries, self.search
         _found[:] = [
-            (entry.id, entry.name, entry.description, thumbnails.icon(entry.id), number)
-            for number, entry in enumerate(entries.values())
-            if finds(entry, self.search)
+            (item.key, item.name, item.entry.description, thumbnails.icon(item.key), number)
+            for number, item in enumerate(variants(entries).values())
+            if finds(item.entry, self.search)
         ]
     return _found
 
@@ -301,6 +302,7 @@ def store(material: bpy.types.Material) -> None:
         range_nm=(_tidy(shown.low_nm), max(_tidy(shown.high_nm), _tidy(shown.low_nm) + 1.0)),
         technique=shown.technique,
         rest=before.rest,
+        look_range_nm=before.look_range_nm,
     )
     try:
         text = stacks.write_template(stack)

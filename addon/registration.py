@@ -14,13 +14,37 @@ from .nodes import (
     follow,
     limits,
     live,
+    my_looks,
     schema,
     thumbnails,
+    variations,
     views,
 )
 from .nodes import assets as asset_library
-from .operators import assets, assign, fix, lighting, passes, picture, probe, stack, thickness
-from .ui import browser, panels, preferences, stack_panel, swatch, viewer_panel
+from .operators import (
+    assets,
+    assign,
+    fix,
+    lighting,
+    looks,
+    manual,
+    passes,
+    picture,
+    probe,
+    stack,
+    thickness,
+)
+from .operators import variations as variation_operators
+from .ui import (
+    browser,
+    looks_panel,
+    panels,
+    preferences,
+    stack_panel,
+    swatch,
+    variations_panel,
+    viewer_panel,
+)
 
 _CLASSES = (
     *properties.CLASSES,
@@ -29,14 +53,19 @@ _CLASSES = (
     *assign.CLASSES,
     *fix.CLASSES,
     *lighting.CLASSES,
+    *manual.CLASSES,
     *thickness.CLASSES,
     *stack.CLASSES,
+    *looks.CLASSES,
+    *variation_operators.CLASSES,
     *passes.CLASSES,
     *picture.CLASSES,
     *probe.CLASSES,
     *browser.CLASSES,
     *panels.CLASSES,
     *stack_panel.CLASSES,
+    *variations_panel.CLASSES,
+    *looks_panel.CLASSES,
     *viewer_panel.CLASSES,
 )
 
@@ -56,7 +85,9 @@ def register() -> None:
     limits.register()
     asset_build.register()
     thumbnails.register()
+    my_looks.register()
     panels.add_to_menus()
+    bpy.utils.register_manual_map(manual.manual_map)
     if asset_library.is_built(asset_library.default_folder()):
         asset_library.show(asset_library.default_folder())
     _commands.append(bpy.utils.register_cli_command("nacre", _run_command))
@@ -65,6 +96,7 @@ def register() -> None:
 def unregister() -> None:
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
+    bpy.utils.unregister_manual_map(manual.manual_map)
     panels.remove_from_menus()
     asset_build.unregister()
     asset_library.hide(asset_library.default_folder())
@@ -76,6 +108,8 @@ def unregister() -> None:
     live.unregister()
     schema.unregister()
     swatch.unregister()
+    my_looks.unregister()
+    variations.forget()
     thumbnails.unregister()
     probe.forget()
     properties.unregister()

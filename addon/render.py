@@ -18,7 +18,7 @@ from pathlib import Path
 
 import bpy
 
-from . import batch, console, gallery, output
+from . import batch, console, gallery, output, render_thickness
 from .core.exr import ExrError
 from .core.form import OSL, FormError, choose_form
 from .core.library import Library
@@ -26,9 +26,8 @@ from .core.manifest import CompiledMaterial, ManifestError, from_memory, load_fo
 from .core.oso import OsoError
 from .core.probe import Probe, ProbeError
 from .core.stack import StackError, edit, is_path, read_stack, write_template
-from .core.thickness import SOCKETS, ThicknessError, socket_values
 from .core.values import AssignmentError, parse_assignments
-from .nodes import follow, passes, thickness, user_scene
+from .nodes import follow, passes, user_scene
 from .nodes import scene as scene_setup
 from .nodes.image import mend_spaces
 from .nodes.material import create_material, input_socket, set_values
@@ -240,13 +239,16 @@ def _stage_job(options: argparse.Namespace) -> Job:
     values = parse_assignments(
         compiled, [text for text in options.set if not is_path(text.partition("=")[0])]
     )
-    stage = build_stage(options.stage or "shaderball")
+    stage_name = options.stage or ("portrait" if options.look else "shaderball")
+    stage = build_stage(stage_name, compiled.look.object)
     job = Job(stage.scene)
     material = _add_material(job, compiled, options.form)
     set_values(material, values)
     stage.place(material)
     if options.vary or options.thickness_map:
-        _vary(material, compiled, options)
+        render_thickness.vary(material, compiled, options)
+    elif options.look:
+        render_thickness.dress(material, compiled, options)
     elif stage.dress and not options.animate:
         stage.dress(material)
     _animate(material, compiled, options)
@@ -276,50 +278,6 @@ def _animate(
             set_values(material, values)
             for name in values:
                 input_socket(material, name).keyframe_insert("default_value", frame=frame)
-
-
-def _vary(
-    material: bpy.types.Material, compiled: CompiledMaterial, options: argparse.Namespace
-) -> None:
-    socket = thickness.thickness_socket(material)
-    if socket is None:
-        raise UsageError(f"{compiled.id} has no thickness that could vary")
-    if options.thickness_map:
-        _map_thickness(material, options)
-    fed = next(filter(None, map(compiled.socket, SOCKETS)))
-    for varied in options.vary:
-        try:
-            values = socket_values(varied, fed.name, thickness.thickness_range(socket))
-        except ThicknessError as error:
-            raise UsageError(
-                "\n".join(f"--vary: {line}" for line in str(error).splitlines())
-            ) from error
-        node = thickness.add_source(material, varied.source.id)
-        for name, value in values.items():
-            node.inputs[name].default_value = value
-        if varied.source.id == "swirl" and options.frames:
-            if "Time" in values:
-                raise UsageError("--vary: swirl: time_s does not go with --frames, which run it")
-            thickness.animate(node)
-
-
-def _map_thickness(material: bpy.types.Material, options: argparse.Namespace) -> None:
-    low, high = thickness.thickness_range(thickness.thickness_socket(material))
-    wanted = options.range or (low, high)
-    if not (low <= wanted[0] and wanted[1] <= high):
-        raise UsageError(
-            f"--range: must be within {low:g}:{high:g}, which the tables cover "
-            f"(got {wanted[0]:g}:{wanted[1]:g})"
-        )
-    try:
-        image = bpy.data.images.load(str(options.thickness_map.absolute()))
-    except RuntimeError as error:
-        raise UsageError(f"--thickness-map: {options.thickness_map}: {error}") from error
-    if tuple(image.size) == (0, 0):
-        raise UsageError(f"--thickness-map: {options.thickness_map}: is not a picture")
-    node = thickness.add_source(material, "map")
-    node.inputs["Minimum"].default_value, node.inputs["Maximum"].default_value = wanted
-    thickness.link_image(material, node, image)
 
 
 def _blend_job(options: argparse.Namespace) -> Job:

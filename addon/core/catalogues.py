@@ -8,6 +8,8 @@ import uuid
 from collections.abc import Iterable
 from pathlib import Path
 
+from .looks import picture_name
+
 FILE = "blender_assets.cats.txt"
 _NAMESPACE = uuid.UUID("5f0d6f4e-6a55-4f3c-9d3e-3f0b8b8f9a51")
 
@@ -35,6 +37,6 @@ def catalogue_text(categories: Iterable[str]) -> str:
     return "\n".join(lines) + "\n"
 
 
-def thumbnail(material_id: str) -> Path:
-    """The picture that comes along, 256 x 256; it may be missing."""
-    return Path(__file__).resolve().parent.parent / "thumbnails" / f"{material_id}.jpg"
+def thumbnail(key: str) -> Path:
+    """The picture of a variant that comes along, 256 x 256; it may be missing."""
+    return Path(__file__).resolve().parent.parent / "thumbnails" / f"{picture_name(key)}.jpg"

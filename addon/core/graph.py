@@ -42,6 +42,10 @@ class Graph:
     nodes: tuple[Node, ...]
     links: tuple[tuple[Endpoint, Endpoint], ...]
 
+    @property
+    def lets_light_straight_through(self) -> bool:
+        return any(node.type == "ShaderNodeBsdfTransparent" for node in self.nodes)
+
     def depths(self) -> dict[str, int]:
         """Columns for drawing: the longest way from each node to the group's output, which has 0."""
         into: dict[str, list[str]] = {}

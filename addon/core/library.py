@@ -8,6 +8,7 @@ import os
 from dataclasses import dataclass
 from pathlib import Path
 
+from .looks import look_of
 from .manifest import FORMS, CompiledMaterial, ManifestError, load_folder, read_manifest
 
 ENVIRONMENT = "NACRE_MATERIALS"
@@ -24,6 +25,7 @@ class Entry:
     kind: str
     tags: tuple[str, ...] = ()
     forms: tuple[str, ...] = FORMS
+    varies: bool = False  # whether its picture shows a thickness that does
 
 
 class Library:
@@ -98,4 +100,5 @@ def _entry(folder: Path) -> Entry | None:
         kind=data["kind"],
         tags=tuple(map(str, data.get("tags") or ())),
         forms=tuple(form for form in FORMS if data["graphs"].get(form) is not None),
+        varies=bool((look := look_of(data)) and look.thickness),
     )

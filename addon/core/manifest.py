@@ -13,6 +13,7 @@ from typing import Any
 
 from .graph import Graph, parse_graph
 from .light import USUAL, Conditions, conditions_problem
+from .looks import PLAIN, Look, look_of
 from .space import REC709, Matrix, SpaceError, parse
 
 SCHEMA = 1
@@ -80,6 +81,7 @@ class CompiledMaterial:
     to_xyz_d65: Matrix = REC709  # of the space that its colours are in
     notes: tuple[str, ...] = ()  # of media that are held where their data end
     conditions: Conditions = USUAL  # of films
+    look: Look = PLAIN
     directory: Path | None = None
     texels: Mapping[str, Any] = field(default_factory=dict)  # float32 (H, W, 3), row 0 on top
 
@@ -186,6 +188,12 @@ def _material(
     to_xyz_d65 = _parse_space(data, where, problems)
     notes = _parse_notes(data, where, problems)
     conditions = _parse_conditions(data, where, problems)
+    look = look_of(data)
+    if look is None:
+        problems.append(
+            f"{where}: look: must have an object, a word, and thickness, a list of texts "
+            f"(got {data['look']!r})"
+        )
     if problems:
         raise ManifestError("\n".join(problems))
     canonical = json.dumps(data, sort_keys=True) + osl
@@ -211,6 +219,7 @@ def _material(
         to_xyz_d65=to_xyz_d65,
         notes=notes,
         conditions=conditions,
+        look=look or PLAIN,
         directory=directory,
         texels=texels,
     )

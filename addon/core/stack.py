@@ -55,6 +55,8 @@ class Stack:
     range_nm: tuple[float, float] = (0.0, 1000.0)  # of it
     technique: str = MULTILAYER  # of TECHNIQUES
     rest: dict[str, Any] = field(default_factory=dict)
+    # What the look's thickness was made for.
+    look_range_nm: tuple[float, float] | None = field(default=None, compare=False)
 
     @property
     def has_scale(self) -> bool:
@@ -99,6 +101,7 @@ def _read(data: dict[str, Any]) -> Stack:
         )
     stack.technique = _take_technique(data)
     stack.rest = data
+    stack.look_range_nm = stack.range_nm
     return stack
 
 
@@ -152,9 +155,13 @@ def _medium(path: str, text: str) -> dict[str, Any]:
 
 
 def _rest(stack: Stack) -> dict[str, Any]:
-    if stack.technique == MULTILAYER:
-        return stack.rest
-    return {**stack.rest, "stack": {**stack.rest.get("stack", {}), "technique": stack.technique}}
+    rest = dict(stack.rest)
+    varies = stack.varying is not None or stack.has_scale
+    if "look" in rest and not (varies and stack.range_nm == stack.look_range_nm):
+        rest["look"] = {name: value for name, value in rest["look"].items() if name != "thickness"}
+    if stack.technique != MULTILAYER:
+        rest["stack"] = {**rest.get("stack", {}), "technique": stack.technique}
+    return rest
 
 
 def _add_table(lines: list[str], head: str, values: dict[str, Any]) -> None:

@@ -37,3 +37,9 @@ def _curves(animation: bpy.types.AnimData | None) -> Iterator[bpy.types.FCurve]:
             for bag in strip.channelbags:
                 if bag.slot == animation.action_slot:
                     yield from bag.fcurves
+
+
+def is_animated(socket: bpy.types.NodeSocket) -> bool:
+    """Whether keyframes or a driver give its value."""
+    path = socket.path_from_id("default_value")
+    return any(curve.data_path == path for curve in _curves(socket.id_data.animation_data))

@@ -16,10 +16,12 @@ import bpy
 from ..core.catalogues import FILE, catalogue_id, catalogue_text, thumbnail
 from ..core.form import AUTO, NODES, FormError, choose_form
 from ..core.library import Library
+from ..core.looks import Variant, variants
 from ..core.manifest import CompiledMaterial, ManifestError
 from ..core.whole_file import write_whole
 from ..core.words import synonyms
 from . import group as groups
+from . import looks
 from . import scene as scene_setup
 from .material import create_material
 
@@ -50,17 +52,17 @@ def build(folder: Path, tell: Callable[[int, int], None] | None = None) -> tuple
     categories: set[str] = set()
     library = Library.default()
     with _only_for_now():
-        entries = library.entries()
-        for number, (material_id, entry) in enumerate(entries.items(), 1):
+        offered = variants(library.entries())
+        for number, variant in enumerate(offered.values(), 1):
             try:
-                compiled = library.load(material_id)
-                made.append(_asset(compiled, synonyms(entry)))
+                compiled = library.load(variant.entry.id)
+                made.append(_asset(compiled, variant))
             except (ManifestError, FormError) as error:
-                left_out.append(f"{material_id}: {error}")
+                left_out.append(f"{variant.key}: {error}")
             else:
                 categories.add(compiled.category)
             if tell:
-                tell(number, len(entries))
+                tell(number, len(offered))
         folder.mkdir(parents=True, exist_ok=True)
         _forget_what_was_killed(folder)
         aside = folder / f"{BLEND}.{os.getpid()}.partial.blend"  # two Blenders may start at once
@@ -128,19 +130,22 @@ def _listed(folder: Path) -> bpy.types.UserAssetLibrary | None:
     return next((lib for lib in libraries if Path(lib.path) == folder), None)
 
 
-def _asset(compiled: CompiledMaterial, words: tuple[str, ...]) -> bpy.types.Material:
+def _asset(compiled: CompiledMaterial, variant: Variant) -> bpy.types.Material:
     requested = NODES if NODES in compiled.forms else AUTO
     form = choose_form(compiled, requested, scene_setup.renderer(bpy.context.scene))
     material = create_material(compiled, form)
+    material.name = variant.name
+    if not variant.is_even:
+        looks.dress(material, compiled)
     material.asset_mark()
     data = material.asset_data
     data.catalog_id = catalogue_id(compiled.category)
     data.description = compiled.description
     data.author = NAME
     data.license = "BSD-3-Clause"
-    for tag in (*compiled.tags, compiled.kind, compiled.status, *words):
+    for tag in (*compiled.tags, compiled.kind, compiled.status, *synonyms(variant.entry)):
         data.tags.new(tag, skip_if_exists=True)
-    picture = thumbnail(compiled.id)
+    picture = thumbnail(variant.key)
     if picture.is_file():
         with bpy.context.temp_override(id=material):
             bpy.ops.ed.lib_id_load_custom_preview(filepath=str(picture))
@@ -149,7 +154,8 @@ def _asset(compiled: CompiledMaterial, words: tuple[str, ...]) -> bpy.types.Mate
 
 @contextlib.contextmanager
 def _only_for_now() -> Iterator[None]:
-    """Takes what is made out of the file again. Groups of materials in use are not shared meanwhile."""
+    """Takes what is made out of the file again. Groups of materials in use are not shared meanwhile, and
+    their names are free for the assets."""
     before = {kind: set(getattr(bpy.data, kind)) for kind in _KINDS}
     hidden = {
         block: block[groups.DIGEST]
@@ -159,6 +165,9 @@ def _only_for_now() -> Iterator[None]:
     }
     for block in hidden:
         block[groups.DIGEST] = ""
+    names = {material: material.name for material in before["materials"] if material.is_editable}
+    for number, material in enumerate(names):
+        material.name = f"Nacre, aside {number}"
     try:
         yield
     finally:
@@ -168,3 +177,5 @@ def _only_for_now() -> Iterator[None]:
                 blocks.remove(block)
         for block, digest in hidden.items():
             block[groups.DIGEST] = digest
+        for material, name in names.items():
+            material.name = name

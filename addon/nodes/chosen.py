@@ -19,23 +19,23 @@ def _kept():
 
 
 def recent(known: Container[str]) -> list[str]:
-    """Those that the library still has; so below."""
-    return [material_id for material_id in _kept().recent.split() if material_id in known]
+    """Keys of variants that the library still has; so below."""
+    return [key for key in _kept().recent.split() if key in known]
 
 
 def favourites(known: Container[str]) -> list[str]:
-    return [material_id for material_id in _kept().favourites.split() if material_id in known]
+    return [key for key in _kept().favourites.split() if key in known]
 
 
-def remember(material_id: str) -> None:
-    others = [other for other in _kept().recent.split() if other != material_id]
-    _kept().recent = " ".join([material_id, *others][:MOST_RECENT])
+def remember(key: str) -> None:
+    others = [other for other in _kept().recent.split() if other != key]
+    _kept().recent = " ".join([key, *others][:MOST_RECENT])
 
 
-def turn_favourite(material_id: str) -> bool:
+def turn_favourite(key: str) -> bool:
     """Returns whether it is one now."""
     kept = _kept().favourites.split()
-    is_one = material_id not in kept
-    kept = [*kept, material_id] if is_one else [other for other in kept if other != material_id]
+    is_one = key not in kept
+    kept = [*kept, key] if is_one else [other for other in kept if other != key]
     _kept().favourites = " ".join(kept)
     return is_one

@@ -9,7 +9,7 @@ from typing import Any
 
 import bpy
 
-from ..core.form import OSL
+from ..core.form import NODES, OSL
 from ..core.manifest import CompiledMaterial
 from ..core.problems import AssignedMaterial
 from . import animation, schema
@@ -38,11 +38,19 @@ def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material
         raise
     node.name = node.label = compiled.name
     tree.links.new(node.outputs[0], output.inputs["Surface"])
+    material.surface_render_method = _render_method(compiled)
     material[groups.SCHEMA] = groups.SCHEMA_VERSION
     material[groups.MATERIAL] = compiled.id
     for add in WHEN_MADE:
         add(material)
     return material
+
+
+def _render_method(compiled: CompiledMaterial) -> str:
+    """Of EEVEE, which by itself draws lots between the closures of a pixel: the mirror image in a thin
+    film, on top of what is seen through it, comes out as grain."""
+    graph = compiled.graphs.get(NODES)
+    return "BLENDED" if graph is not None and graph.lets_light_straight_through else "DITHERED"
 
 
 def discard_material(material: bpy.types.Material, compiled: CompiledMaterial) -> None:

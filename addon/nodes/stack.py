@@ -9,6 +9,7 @@ errors, fits and shader, is compiled aside a moment later (`finish`, or the time
 from __future__ import annotations
 
 import hashlib
+import importlib.util
 import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -47,7 +48,12 @@ class Recipe:
 
 
 def library_problem() -> str:
-    """Why the Python package that computes is not at hand, or nothing."""
+    """Why the Python package that computes is not at hand and what to do, or nothing."""
+    if importlib.util.find_spec("numpy") is None:
+        return (
+            "This Blender's Python has no numpy, which computing colours and editing a stack need: take "
+            "Blender from blender.org, or install your system's package (python3-numpy)"
+        )
     try:
         import nacre  # noqa: F401
     except ImportError as error:

@@ -9,30 +9,31 @@ import bpy.utils.previews
 
 from ..core.catalogues import thumbnail
 from ..core.library import Library
+from ..core.looks import variants
 
 _START, _NEXT = 0.5, 0.01  # seconds
 
 _collections: list[bpy.utils.previews.ImagePreviewCollection] = []  # one at most
 
 
-def icon(material_id: str) -> int:
-    """0 where there is no picture."""
+def icon(key: str) -> int:
+    """Of a variant; 0 where there is no picture."""
     if not _collections:
         _collections.append(bpy.utils.previews.new())
     icons = _collections[0]
-    if material_id not in icons:
-        file = thumbnail(material_id)
+    if key not in icons:
+        file = thumbnail(key)
         if not file.is_file():
             return 0
-        icons.load(material_id, str(file), "IMAGE")
-    return icons[material_id].icon_id
+        icons.load(key, str(file), "IMAGE")
+    return icons[key].icon_id
 
 
 def _warm_up() -> float | None:
     """One picture more; all of them at once, when the side bar is first shown, would be felt."""
     loaded = _collections[0] if _collections else ()
-    for material_id in Library.default().entries():
-        if material_id not in loaded and icon(material_id):
+    for key in variants(Library.default().entries()):
+        if key not in loaded and icon(key):
             return _NEXT
     return None
 

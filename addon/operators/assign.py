@@ -9,8 +9,9 @@ from bpy.props import BoolProperty, EnumProperty
 
 from ..core.form import AUTO, NODES, OSL, choose_form
 from ..core.library import Library
+from ..core.looks import variants
 from ..core.manifest import CompiledMaterial
-from ..nodes import chosen, thumbnails
+from ..nodes import chosen, looks, thumbnails
 from ..nodes import scene as scene_setup
 from ..nodes.material import create_material, discard_material
 from ..properties import FORMS
@@ -21,10 +22,16 @@ _items: list[tuple[str, str, str, str, int]] = []
 
 
 def material_items(_self, _context):
-    entries = Library.default().entries().values()
+    offered = variants(Library.default().entries()).values()
     fresh = [
-        (entry.id, entry.name, entry.description, thumbnails.icon(entry.id) or "MATERIAL", index)
-        for index, entry in enumerate(entries)
+        (
+            item.key,
+            item.name,
+            item.entry.description,
+            thumbnails.icon(item.key) or "MATERIAL",
+            index,
+        )
+        for index, item in enumerate(offered)
     ]
     if fresh != _items:
         _items[:] = fresh
@@ -54,7 +61,7 @@ class NACRE_OT_assign_material(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if _targets(context):
+        if takers(context):
             return True
         linked = next((obj for obj in _chosen(context) if not _takes_materials(obj)), None)
         if linked is None:
@@ -76,19 +83,25 @@ class NACRE_OT_assign_material(bpy.types.Operator):
         if not self.material:
             self.report({"ERROR"}, "There are no compiled materials; reinstall the extension")
             return {"CANCELLED"}
-        compiled = Library.default().load(self.material)
+        library = Library.default()
+        variant = variants(library.entries())[self.material]
+        compiled = library.load(variant.entry.id)
         requested = self.form if self.form != AUTO else context.scene.nacre.form
         form = choose_form(compiled, requested, scene_setup.renderer(context.scene))
         material = create_material(compiled, form)
-        targets = _targets(context)
+        material.name = variant.name
+        targets = takers(context)
         try:
+            if not variant.is_even:
+                looks.dress(material, compiled)
             for target in targets:
-                _put(target, material, self.new_slot)
+                put(target, material, self.new_slot)
         except Exception:
             discard_material(material, compiled)
             raise
-        chosen.remember(compiled.id)
-        self.report({"INFO"}, " ".join(_describe(context.scene, compiled, form, targets)))
+        chosen.remember(variant.key)
+        said = _describe(context.scene, variant.name, compiled, form, targets)
+        self.report({"INFO"}, " ".join(said))
         return {"FINISHED"}
 
 
@@ -109,16 +122,16 @@ class NACRE_OT_favourite(bpy.types.Operator):
     @reports_errors
     def execute(self, _context):
         is_one = chosen.turn_favourite(self.material)
-        name = Library.default().entries()[self.material].name
+        name = variants(Library.default().entries())[self.material].name
         words = "is a favourite now" if is_one else "is no favourite any more"
         self.report({"INFO"}, f"{name} {words}.")
         return {"FINISHED"}
 
 
-def _describe(scene, compiled: CompiledMaterial, form: str, targets: list) -> list[str]:
+def _describe(scene, name: str, compiled: CompiledMaterial, form: str, targets: list) -> list[str]:
     """Sets up the scene, and says what was done to it."""
     count = targets[0].name if len(targets) == 1 else f"{len(targets)} objects"
-    said = [f"{compiled.name} assigned to {count}."]
+    said = [f"{name} assigned to {count}."]
     if form == OSL:
         if scene_setup.use_osl(scene):
             said.append("Cycles now renders with Open Shading Language.")
@@ -141,11 +154,11 @@ def _takes_materials(obj: bpy.types.Object) -> bool:
     return obj.is_editable and (obj.data.is_editable or bool(obj.material_slots))
 
 
-def _targets(context) -> list[bpy.types.Object]:
+def takers(context) -> list[bpy.types.Object]:
     return [obj for obj in _chosen(context) if _takes_materials(obj)]
 
 
-def _put(obj: bpy.types.Object, material: bpy.types.Material, new_slot: bool) -> None:
+def put(obj: bpy.types.Object, material: bpy.types.Material, new_slot: bool) -> None:
     own = obj.data.is_editable
     if own and (new_slot or not obj.material_slots):
         obj.data.materials.append(material)

@@ -82,9 +82,9 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
         image = None
         if self.source == "map" and self.filepath:
             image = _picture(bpy.path.abspath(self.filepath))  # before anything is changed
-        around = _around(context, spec.coordinates)
+        followed = around(context, spec.coordinates)
         below = thickness.sources_of(material)
-        added = thickness.add_source(material, self.source, around)
+        added = thickness.add_source(material, self.source, followed)
         if below and not spec.changes_what_is_below:
             names = " · ".join(node.label or node.name for node in below)
             self.report(
@@ -98,7 +98,7 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
         return {"FINISHED"}
 
 
-def _around(context, coordinates: str | None) -> bpy.types.Object | None:
+def around(context, coordinates: str | None) -> bpy.types.Object | None:
     """What a source follows: made beside the object, unless a curve is selected."""
     if coordinates == POINT:
         return _beside(context, "Film Point", None)

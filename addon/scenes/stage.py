@@ -10,7 +10,7 @@ from importlib import import_module
 
 import bpy
 
-_STAGES = ("furnace", "sphere", "plane", "bubble", "shaderball", "disc", "prism", "gem")
+_STAGES = ("furnace", "sphere", "plane", "bubble", "shaderball", "disc", "prism", "gem", "portrait")
 
 
 class StageError(Exception):
@@ -32,14 +32,16 @@ def stage_names() -> tuple[str, ...]:
     return _STAGES
 
 
-def build_stage(name: str) -> Stage:
-    """Replaces the open file by the stage; preferences and extensions stay."""
+def build_stage(name: str, object_name: str = "") -> Stage:
+    """Replaces the open file by the stage; preferences and extensions stay. `object_name`: what stands
+    on the stage `portrait`, if not its usual object."""
     if name not in _STAGES:
         raise StageError(f"unknown stage {name!r}; there are: {', '.join(_STAGES)}")
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"
-    return import_module(f".{name}", __package__).build(scene)
+    build = import_module(f".{name}", __package__).build
+    return build(scene, object_name) if name == "portrait" and object_name else build(scene)
 
 
 def place_on(*objects: bpy.types.Object) -> Callable[[bpy.types.Material], None]:

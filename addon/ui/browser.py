@@ -7,20 +7,31 @@ from __future__ import annotations
 import bpy
 
 from ..core.form import OSL
-from ..core.library import Library
+from ..core.library import Entry, Library
+from ..core.looks import variants
 from ..nodes import chosen, lighting, thumbnails
 from ..nodes.material import group_node
 from ..nodes.script import has_osl
 from . import wrapped
 from .asset_build import draw_asset_build
+from .help import Documented
 from .panels import draw_light, draw_material
 
 _LOCKED = (
     "Needs Open Shading Language, which this Blender was built without; blender.org's own has it."
 )
+_FIRST = (
+    "tempered_steel",
+    "soap_film",
+    "oil_on_water",
+    "rainbow_haematite",
+    "rose_chafer",
+    "car_paint_green_violet",
+)
+"""What is offered to those who have not assigned any yet."""
 
 
-class NACRE_PT_viewport(bpy.types.Panel):
+class NACRE_PT_viewport(Documented, bpy.types.Panel):
     bl_label = "Nacre"
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
@@ -29,39 +40,53 @@ class NACRE_PT_viewport(bpy.types.Panel):
     def draw(self, context):
         layout = self.layout
         browser = context.window_manager.nacre
-        entries = Library.default().entries()
+        offered = variants(Library.default().entries())
         draw_asset_build(layout)
         layout.prop(browser, "search", text="", icon="VIEWZOOM")
-        if browser.choice not in entries:
+        if browser.choice not in offered:
             layout.label(text=f"Nothing is found for “{browser.search}”", icon="INFO")
             return
         layout.template_icon_view(browser, "choice", show_labels=True, scale=8.0, scale_popup=6.0)
-        entry = entries[browser.choice]
+        chosen_one = offered[browser.choice]
         row = layout.row(align=True)
         row.scale_y = 1.4
         assign = row.row(align=True)
-        if entry.forms == (OSL,) and not has_osl():
+        if _is_locked(chosen_one.entry):
             assign.enabled = False
             wrapped.label(layout, _LOCKED, "LOCKED")
-        assign.operator("nacre.assign_material", text=f"Assign {entry.name}").material = entry.id
-        favourites = chosen.favourites(entries)
-        star = "SOLO_ON" if entry.id in favourites else "SOLO_OFF"
-        row.operator("nacre.favourite", text="", icon=star).material = entry.id
-        for title, found in (("Favourites", favourites), ("Recent", chosen.recent(entries))):
-            _draw_row(layout, title, [entries[material_id] for material_id in found])
+        text = f"Assign {chosen_one.name}"
+        assign.operator("nacre.assign_material", text=text).material = chosen_one.key
+        favourites = chosen.favourites(offered)
+        star = "SOLO_ON" if chosen_one.key in favourites else "SOLO_OFF"
+        row.operator("nacre.favourite", text="", icon=star).material = chosen_one.key
+        recent = chosen.recent(offered)
+        first = [] if recent or browser.search else [key for key in _FIRST if key in offered]
+        for title, found in (
+            ("Favourites", favourites),
+            ("Recent", recent),
+            ("Begin With", first),
+        ):
+            _draw_row(layout, title, [offered[key] for key in found])
 
 
-def _draw_row(layout, title: str, entries) -> None:
-    if not entries:
+def _is_locked(entry: Entry) -> bool:
+    return entry.forms == (OSL,) and not has_osl()
+
+
+def _draw_row(layout, title: str, shown) -> None:
+    if not shown:
         return
     layout.label(text=title)
     grid = layout.grid_flow(row_major=True, columns=2, even_columns=True, align=True)
-    for entry in entries:
-        icon = {"icon_value": thumbnails.icon(entry.id)}
-        grid.operator("nacre.assign_material", text=entry.name, **icon).material = entry.id
+    for item in shown:
+        column = grid.column(align=True)
+        column.enabled = not _is_locked(item.entry)
+        column.template_icon(icon_value=thumbnails.icon(item.key), scale=4.0)
+        column.operator("nacre.assign_material", text=item.name).material = item.key
 
 
-class NACRE_PT_viewport_material(bpy.types.Panel):
+class NACRE_PT_viewport_material(Documented, bpy.types.Panel):
+    manual_page = "thickness"
     bl_label = "Active Material"
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
@@ -75,7 +100,7 @@ class NACRE_PT_viewport_material(bpy.types.Panel):
         draw_material(self.layout, context)
 
 
-class NACRE_PT_viewport_light(bpy.types.Panel):
+class NACRE_PT_viewport_light(Documented, bpy.types.Panel):
     bl_label = "Light"
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"

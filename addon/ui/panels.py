@@ -9,14 +9,17 @@ import bpy
 from ..core.form import NODES, OSL
 from ..core.problems import find_problems
 from ..nodes import group as groups
-from ..nodes import lighting
+from ..nodes import lighting, stack
 from ..nodes import scene as scene_setup
-from ..nodes.material import describe, group_node, missing_tables, notes
+from ..nodes.material import describe, group_node, input_socket, kind, missing_tables, notes
 from ..nodes.thickness import thickness_socket
 from . import thickness_panel, wrapped
+from .help import Documented
+
+_EXACT_ROUGH = "exact_rough"  # by its manifest name
 
 
-class _WaveOptics:
+class _WaveOptics(Documented):
     """What both panels show of the active object's active material."""
 
     bl_label = "Nacre"
@@ -35,13 +38,41 @@ class _WaveOptics:
         row.operator_context = "INVOKE_DEFAULT"
         label = "Assign Wave Material…" if node is None else "Replace by Another…"
         row.operator("nacre.assign_material", text=label, icon="SHADING_RENDERED")
-        layout.prop(context.scene.nacre, "form", text="New Materials As")
         if node is not None:
             draw_light(layout, context.scene)
             draw_material(layout, context)
 
 
+class _Advanced(Documented):
+    """Choices that most never make."""
+
+    bl_label = "Advanced"
+    bl_options = {"DEFAULT_CLOSED"}
+    bl_order = 10
+    manual_page = "rough"
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.prop(context.scene.nacre, "form", text="New Materials As")
+        material = context.object.active_material
+        node = group_node(material)
+        if node is None:
+            return
+        exact = input_socket(material, _EXACT_ROUGH)
+        if exact is not None and exact.identifier in _used_inputs(node.node_tree):
+            layout.prop(exact, "default_value", text=exact.name)
+        _draw_form(layout, node)
+
+
 class NACRE_PT_material(_WaveOptics, bpy.types.Panel):
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "material"
+
+
+class NACRE_PT_material_advanced(_Advanced, bpy.types.Panel):
+    bl_parent_id = "NACRE_PT_material"
     bl_space_type = "PROPERTIES"
     bl_region_type = "WINDOW"
     bl_context = "material"
@@ -59,6 +90,13 @@ class NACRE_PT_shader_editor(_WaveOptics, bpy.types.Panel):
         return shows_materials and super().poll(context)
 
 
+class NACRE_PT_shader_editor_advanced(_Advanced, bpy.types.Panel):
+    bl_parent_id = "NACRE_PT_shader_editor"
+    bl_space_type = "NODE_EDITOR"
+    bl_region_type = "UI"
+    bl_category = "Nacre"
+
+
 def draw_material(layout, context) -> None:
     """Of the active object's active material, which is a wave material."""
     material = context.object.active_material
@@ -66,10 +104,12 @@ def draw_material(layout, context) -> None:
     _draw_problems(layout, context, material)
     _draw_notes(layout, material)
     _draw_sockets(layout, context, material, node)
-    _draw_form(layout, node)
 
 
 def _draw_problems(layout, context, material) -> None:
+    missing = stack.library_problem()
+    if missing and kind(material) == "film":
+        wrapped.label(layout.box(), missing, "ERROR")
     state = scene_setup.state(context.scene, missing_tables(material))
     for problem in find_problems(describe(material), state):
         box = layout.box()
@@ -106,8 +146,9 @@ def _draw_sockets(layout, context, material, node) -> None:
     column = layout.column()
     varies = thickness_socket(material)
     used = _used_inputs(node.node_tree)
+    apart = (varies, input_socket(material, _EXACT_ROUGH))
     for socket in node.inputs:
-        if socket.hide_value or socket.identifier not in used or socket == varies:
+        if socket.hide_value or socket.identifier not in used or socket in apart:
             continue
         row = column.row(align=True)
         if socket.is_linked:
@@ -166,4 +207,9 @@ def remove_from_menus() -> None:
         getattr(bpy.types, name).remove(draw)
 
 
-CLASSES = (NACRE_PT_material, NACRE_PT_shader_editor)
+CLASSES = (
+    NACRE_PT_material,
+    NACRE_PT_material_advanced,
+    NACRE_PT_shader_editor,
+    NACRE_PT_shader_editor_advanced,
+)

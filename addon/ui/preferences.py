@@ -12,6 +12,7 @@ from bpy.props import BoolProperty, StringProperty
 from ..core.library import Library
 from ..nodes import assets
 from ..nodes.script import has_osl
+from ..nodes.stack import library_problem
 from . import wrapped
 from .asset_build import draw_asset_build
 
@@ -40,6 +41,11 @@ class NACRE_preferences(bpy.types.AddonPreferences):
                 "INFO",
             )
         layout.label(text=f"{len(library.entries())} materials in {library.root}", icon="MATERIAL")
+        if missing := library_problem():
+            wrapped.label(layout, missing, "ERROR")
+        row = layout.row()
+        row.operator("nacre.open_manual", text="Manual", icon="HELP")
+        row.operator("nacre.copy_report", text="Copy for a Bug Report", icon="COPYDOWN")
         layout.prop(self, "keep_assets")
         draw_asset_build(layout)
         row = layout.row()

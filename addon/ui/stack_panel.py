@@ -12,6 +12,7 @@ from ..nodes import live, stack
 from ..nodes.material import group_node, kind
 from ..nodes.thickness import thickness_socket
 from . import swatch, wrapped
+from .help import Documented
 
 
 class NACRE_UL_layers(bpy.types.UIList):
@@ -30,7 +31,8 @@ class NACRE_UL_layers(bpy.types.UIList):
         )
 
 
-class _StackEditor:
+class _StackEditor(Documented):
+    manual_page = "stacks"
     bl_label = "Stack"
     bl_options = {"DEFAULT_CLOSED"}
 
@@ -86,8 +88,10 @@ def _draw_layers(layout, shown) -> None:
     layout.prop(shown, "substrate", icon="TRIA_UP_BAR")
 
 
-class _Advanced:
+class _Advanced(Documented):
     """Choices that most never make."""
+
+    manual_page = "models"
 
     bl_label = "Advanced"
     bl_options = {"DEFAULT_CLOSED"}
@@ -126,10 +130,10 @@ def _draw_colours(layout, material, shown) -> None:
     value = socket.default_value if socket is not None else 1.0
     row = layout.row()
     column = row.column(align=True)
-    column.label(text="↑ Film → Angle")
+    column.label(text="Up: thicker, right: grazing")
     column.template_icon(icon_value=swatch.swatch(material), scale=6.0)
     column = row.column(align=True)
-    column.label(text="Reflectance")
+    column.label(text="Reflected, 380–780 nm")
     column.template_icon(
         icon_value=swatch.spectrum(material, value, shown.plot_angle_deg), scale=6.0
     )

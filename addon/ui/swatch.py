@@ -44,6 +44,11 @@ def chip(rgb: tuple[float, float, float]) -> int:
     return _icon(f"#{code}", (rgb,), _draw_chip)
 
 
+def drawn(name: str, key: tuple, draw) -> int:
+    """Icon of the picture that `draw(*key)` gives, drawn again when the key is another."""
+    return _icon(name, key, draw)
+
+
 def unregister() -> None:
     while _collections:
         bpy.utils.previews.remove(_collections.pop())

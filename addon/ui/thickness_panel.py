@@ -11,7 +11,7 @@ from ..nodes import film_colours, heat
 from ..nodes.thickness import feed_of, ramp_of, sources_of, spec_of, thickness_socket
 from . import swatch, wrapped
 
-NAME = "Film Thickness"
+_UNITS = {"c": " (°C)", "k": " (K)", "m": " (m)", "s": " (s)"}
 
 
 def draw(layout: bpy.types.UILayout, context) -> None:
@@ -23,11 +23,12 @@ def draw(layout: bpy.types.UILayout, context) -> None:
     sources = sources_of(material)
     box = layout.box()
     if sources or socket.is_linked:
-        box.label(text=f"{NAME} Varies" if sources else f"{NAME}: Linked", icon="TEXTURE")
+        said = "varies" if sources else "is fed by other nodes"
+        box.label(text=f"{socket.name} {said}", icon="TEXTURE")
     else:
         column = box.column(align=True)
         column.use_property_split = False
-        column.prop(socket, "default_value", text=NAME, slider=True)
+        column.prop(socket, "default_value", text=socket.name, slider=True)
         _draw_chips(column, material)
     for index, node in enumerate(sources):
         _draw_source(box, context, index, node, len(sources))
@@ -91,7 +92,8 @@ def _draw_inputs(layout, context, index: int, node, spec: Source, count: int) ->
             continue
         if item.name == BELOW or (item.name == STRENGTH and count > 1):
             continue
-        column.prop(socket, "default_value", text=item.name)
+        unit = _UNITS.get(item.unit, "")
+        column.prop(socket, "default_value", text=f"{item.name}{unit}")
     if "Time" in node.inputs:
         layout.operator("nacre.animate_thickness", text="Run with the Scene", icon="TIME")
 

@@ -11,9 +11,11 @@ from ..nodes import passes, scene
 from ..nodes.material import group_node
 from ..operators import probe
 from . import swatch, wrapped
+from .help import Documented
 
 
-class _Viewer:
+class _Viewer(Documented):
+    manual_page = "viewer"
     bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod

@@ -17,14 +17,21 @@ from PIL import Image
 SIZE = (256, 256)
 
 
+def _is_swatch(path: Path) -> bool:
+    return path.stem.endswith("_swatch")
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("gallery", type=Path)
     parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
+    wanted = {path.stem for path in options.gallery.glob("*.png") if not _is_swatch(path)}
     templates = Path(__file__).resolve().parents[2] / "osl" / "templates"
-    wanted = {path.stem for path in templates.glob("*.toml")}
+    missing = {path.stem for path in templates.glob("*.toml")} - wanted
+    if missing:
+        raise SystemExit(f"{options.gallery}: has no picture of {', '.join(sorted(missing))}")
     for old in options.output.glob("*.jpg"):
         if old.stem not in wanted:
             old.unlink()

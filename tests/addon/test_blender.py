@@ -49,6 +49,11 @@ def test_side_bar(blender, tmp_path):
     blender.with_environment(NACRE_MATERIALS=shipped).script("browser", tmp_path)
 
 
+def test_materials_look_like_their_pictures(blender):
+    shipped = str(materials_folder())
+    blender.with_environment(NACRE_MATERIALS=shipped).script("dressed")
+
+
 def test_asset_library_is_made_aside(blender, tmp_path, thin_slick):
     blender.with_environment(NACRE_MATERIALS=thin_slick).script("asset_build", tmp_path)
 
@@ -58,7 +63,18 @@ def test_other_versions_and_damage(blender, tmp_path, thin_slick):
 
 
 @pytest.mark.parametrize(
-    "script", ["linked", "storm", "panels", "paths", "copies", "own_entry", "lighting", "tooltips"]
+    "script",
+    [
+        "linked",
+        "storm",
+        "panels",
+        "paths",
+        "copies",
+        "own_entry",
+        "lighting",
+        "tooltips",
+        "portraits",
+    ],
 )
 def test_bad_input_and_upkeep(blender, tmp_path, script, thin_slick):
     blender.with_environment(NACRE_MATERIALS=thin_slick).script(script, tmp_path)

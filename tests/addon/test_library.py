@@ -113,10 +113,6 @@ def test_each_synonym_is_of_use():
     assert targets <= known | parts | {part.removesuffix("s") for part in parts}
 
 
-def test_no_picture_is_left_over():
-    assert {path.stem for path in thumbnail("x").parent.glob("*")} == set(MATERIALS)
-
-
 def test_catalogues_keep_their_identifiers():
     text = catalogue_text(["Films/Bubbles", "Films/Slicks"])
     assert text.splitlines()[2] == "VERSION 1"

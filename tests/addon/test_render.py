@@ -4,16 +4,18 @@
 
 from __future__ import annotations
 
+import colorsys
 import json
 import os
 import signal
 import subprocess
 import time
 
+import numpy as np
 import OpenImageIO as oiio
 import pytest
 
-from support.images import read_all
+from support.images import read_all, read_image
 from support.paths import ADDON, DRIVER, FIXTURES
 
 QUICK = ("--stage", "furnace", "--size", "16x16", "--samples", "2")
@@ -169,7 +171,7 @@ def test_gallery_shows_every_material(blender45, tmp_path):
     arguments = ("--gallery", "--size", "16x16", "--samples", "1", "-o", folder)
     done = blender45.render(*arguments)
     assert done.returncode == 0, done.stderr
-    assert "2 rendered, 0 kept" in done.stdout
+    assert "3 rendered, 0 kept" in done.stdout  # the steel also even
     page = (folder / "index.html").read_text("utf-8")
     for text in (
         "2 materials",
@@ -180,9 +182,44 @@ def test_gallery_shows_every_material(blender45, tmp_path):
     ):
         assert text in page
     assert {path.name for path in folder.glob("*.png")} == {
-        "tempered_steel.png", "tempered_steel_swatch.png", "water.png",
+        "tempered_steel.png", "tempered_steel.even.png", "tempered_steel_swatch.png", "water.png",
     }  # fmt: skip
-    assert "0 rendered, 2 kept" in blender45.render(*arguments).stdout
+    assert "0 rendered, 3 kept" in blender45.render(*arguments).stdout
+
+
+def test_a_look_is_that_of_the_library(blender45, tmp_path):
+    """On its own object, heated at one end: its colours run through several hues."""
+    library = blender45.with_materials("tempered_steel")
+    dressed, even = tmp_path / "dressed.exr", tmp_path / "even.exr"
+    common = (
+        "--material",
+        "tempered_steel",
+        "--size",
+        "48x48",
+        "--samples",
+        "4",
+        "--form",
+        "nodes",
+    )
+    assert library.render(*common, "--look", "-o", dressed).returncode == 0
+    assert library.render(*common, "--stage", "portrait", "-o", even).returncode == 0
+    hues = [_saturated_hues(read_image(path)) for path in (dressed, even)]
+    assert hues[0] >= 4, hues
+    assert hues[0] > hues[1] + 1, hues
+    done = library.render(*common, "--look", "--frames", "1-2", "-o", tmp_path / "f_#.png")
+    assert "--frames: nothing in the look of tempered_steel moves" in done.stderr
+    done = library.render(*common, "--look", "--vary", "swirl", "-o", dressed)
+    assert "--look does not go with --vary" in done.stderr
+
+
+def _saturated_hues(pixels) -> int:
+    """How many of twelve hues a picture has where it is coloured."""
+    rgb = np.clip(pixels[..., :3].reshape(-1, 3), 1e-6, None)
+    largest, least = rgb.max(axis=1), rgb.min(axis=1)
+    coloured = rgb[(largest - least) > 0.35 * largest]
+    hues = [colorsys.rgb_to_hsv(*colour)[0] for colour in coloured]
+    counts, _ = np.histogram(hues, bins=12, range=(0.0, 1.0))
+    return int((counts >= 3).sum())
 
 
 def test_a_value_runs_over_the_frames(blender45, tmp_path):

@@ -18,6 +18,7 @@ catalogues = module("core.catalogues")
 words = module("core.words")
 library = module("core.library").Library.default()
 materials = module("nodes.material")
+thickness = module("nodes.thickness")
 folder = assets.default_folder()
 libraries = bpy.context.preferences.filepaths.asset_libraries
 listed = len(libraries)
@@ -43,7 +44,9 @@ for entry in library.entries().values():
 new_file()
 with bpy.data.libraries.load(str(folder / assets.BLEND), assets_only=True) as (source, target):
     target.materials = list(source.materials)
-assert len(bpy.data.materials) == len(library.entries())
+offered = module("core.looks").variants(library.entries())
+assert {material.name for material in bpy.data.materials} == {v.name for v in offered.values()}
+assert "Tempered Steel, Even" in bpy.data.materials
 for material in bpy.data.materials:
     node = materials.group_node(material)
     entry = library.entries()[node.node_tree["nacre_material"]]
@@ -55,6 +58,8 @@ for material in bpy.data.materials:
     assert not materials.missing_tables(material)
     assert tuple(material.preview.image_size) == (256, 256), material.name
     assert materials.describe(material).form == "nodes"  # works wherever it is dragged
+    varies = entry.varies and not material.name.endswith(", Even")
+    assert bool(thickness.sources_of(material)) == varies, material.name
 
 # Taken out while the extension is off, there again afterwards, and deleted on demand.
 extension.unregister()

@@ -16,7 +16,7 @@ extension.register()
 chosen = module("nodes.chosen")
 thumbnails = module("nodes.thumbnails")
 words = module("core.words")
-entries = module("core.library").Library.default().entries()
+entries = module("core.looks").variants(module("core.library").Library.default().entries())
 browser = bpy.context.window_manager.nacre
 
 # All of them at first, each with its picture.
@@ -29,7 +29,7 @@ assert thumbnails.icon("nothing") == 0
 # What is typed finds, and chooses the first unless what is chosen is found as well.
 for word in ("oil", "OIL on wat", "gasoline", "thin film", "disc"):
     browser.search = word
-    found = [entry.id for entry in entries.values() if words.finds(entry, word)]
+    found = [item.key for item in entries.values() if words.finds(item.entry, word)]
     assert browser.choice == (kept if (kept := browser.choice) in found else found[0]), word
 browser.search = "disc"
 kept = browser.choice
@@ -63,7 +63,7 @@ class Layout:
     def prop(self, *_arguments, **_options):
         pass
 
-    template_icon_view = prop
+    template_icon_view = template_icon = prop
 
 
 def drawn(material):
@@ -71,12 +71,12 @@ def drawn(material):
     browser.choice = material
     context = SimpleNamespace(window_manager=bpy.context.window_manager)
     panel.NACRE_PT_viewport.draw(SimpleNamespace(layout=Layout(said, buttons)), context)
-    return " ".join(text for text, _ in said), {icon for _, icon in said}, dict(buttons)
+    return " ".join(text for text, _ in said), {icon for _, icon in said}, dict(reversed(buttons))
 
 
 panel = module("ui.browser")
-gratings = {name for name, entry in entries.items() if entry.kind == "grating"}
-assert {name for name, entry in entries.items() if entry.forms == ("osl",)} == gratings
+gratings = {name for name, item in entries.items() if item.entry.kind == "grating"}
+assert {name for name, item in entries.items() if item.entry.forms == ("osl",)} == gratings
 assert drawn("cd")[2]["nacre.assign_material"]
 real, panel.has_osl = panel.has_osl, lambda: False
 said, icons, buttons = drawn("cd")
@@ -92,7 +92,7 @@ browser = bpy.context.window_manager.nacre
 names = list(entries)[:9]
 for name in [*names, *names[:2]]:
     bpy.ops.nacre.assign_material(
-        material=name, form="nodes" if entries[name].kind == "film" else "osl"
+        material=name, form="nodes" if entries[name].entry.kind == "film" else "osl"
     )
 assert chosen.recent(entries)[:2] == [names[1], names[0]]
 assert len(chosen.recent(entries)) == len(set(chosen.recent(entries))) <= chosen.MOST_RECENT

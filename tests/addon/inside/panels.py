@@ -25,11 +25,18 @@ folder = Path(sys.argv[1])
 
 PANELS = [
     cls
-    for name in ("ui.browser", "ui.panels", "ui.stack_panel", "ui.viewer_panel")
+    for name in (
+        "ui.browser",
+        "ui.panels",
+        "ui.stack_panel",
+        "ui.viewer_panel",
+        "ui.looks_panel",
+        "ui.variations_panel",
+    )
     for cls in module(name).CLASSES
     if issubclass(cls, bpy.types.Panel)
 ]
-assert len(PANELS) == 13, PANELS
+assert len(PANELS) == 19, PANELS
 
 
 class Layout:

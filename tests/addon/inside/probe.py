@@ -90,7 +90,7 @@ def check_film(found: dict, template: str, value: float, angle_deg: float) -> No
 
 
 # A plane under a known angle: numbers, place, nothing changed.
-obj = plane("soap_film")
+obj = plane("soap_film:even")
 material = obj.active_material
 template = stack.recipe(material).template
 socket = thickness.thickness_socket(material)

@@ -45,5 +45,5 @@ def failing(holder, name: str) -> None:
 failing(image, "hold_as_data")
 failing(group, "_set_default")
 failing(group, "_arrange")
-failing(module("operators.assign"), "_put")
+failing(module("operators.assign"), "put")
 extension.unregister()

@@ -12,10 +12,10 @@ def render(arguments: list[str], fails_at: str) -> int:
     made = extension.module("render")
     build = made.build_stage
 
-    def gives_up(name: str):
+    def gives_up(name: str, object_name: str):
         if name == fails_at:
             raise TypeError('bpy_struct: item.attr = val:\n enum "Data" not found in ()')
-        return build(name)
+        return build(name, object_name)
 
     made.build_stage = gives_up
     try:
