@@ -39,7 +39,7 @@ def main() -> None:
         picture = Image.open(options.gallery / f"{name}.png").convert("RGB")
         if picture.size != SIZE:
             raise SystemExit(f"{name}.png: must be {SIZE[0]} x {SIZE[1]} (got {picture.size})")
-        picture.save(options.output / f"{name}.jpg", quality=88, optimize=True)
+        picture.save(options.output / f"{name}.jpg", quality=82, optimize=True)
 
 
 if __name__ == "__main__":
