@@ -15,6 +15,7 @@ _collections: list[bpy.utils.previews.ImagePreviewCollection] = []  # one at mos
 _shown: dict[str, tuple] = {}  # what each icon was drawn from
 
 COLUMNS, ROWS = 48, 96
+SMALL = 32  # pixels of what is shown in buttons
 MOST_ICONS = 256  # more than any window shows; older ones are drawn again when they are wanted
 
 
@@ -79,6 +80,9 @@ def _icon(name: str, key: tuple, draw) -> int:
             return icon.icon_id
         icon.image_size = picture.shape[1], picture.shape[0]
         icon.image_pixels_float.foreach_set(picture.ravel())
+        if max(picture.shape) <= SMALL:  # buttons show the icon, and not the image
+            icon.icon_size = picture.shape[1], picture.shape[0]
+            icon.icon_pixels_float.foreach_set(picture.ravel())
     return icon.icon_id
 
 
