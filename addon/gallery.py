@@ -8,14 +8,13 @@ import html
 from collections.abc import Sequence
 from pathlib import Path
 
-import bpy
-
 from .batch import Row, make_row
 from .core.library import Library
 from .core.looks import EVEN, picture_name, variants
 from .core.manifest import CompiledMaterial
 from .core.stack import read_stack
 from .core.whole_file import write_whole
+from .nodes.image import save_png
 
 _ANGLES_DEG = (0, 45, 70)
 _SWATCH = (64, 96)  # height, width of the table that it is drawn from
@@ -112,7 +111,7 @@ def _film_lines(folder: Path, material: CompiledMaterial) -> list[str]:
     light = material.conditions._asdict()
     table = nacre.preview_tables(material.template, {"R": (height, width)}, **light)["R"]
     name = f"{material.id}_swatch.png"
-    _save(folder / name, plot.swatch(table))
+    save_png(folder / name, plot.swatch(table))
     socket = material.socket("thickness_nm") or material.socket("thickness_scale")
     value = socket.default if socket else 1.0
     dots = []
@@ -127,15 +126,3 @@ def _film_lines(folder: Path, material: CompiledMaterial) -> list[str]:
     lines = [f'<img class="swatch" src="{name}" alt="colours over the angle">']
     lines.append(f'<p class="dots">{"".join(dots)} <small>{", ".join(said)}</small></p>')
     return lines
-
-
-def _save(path: Path, picture) -> None:
-    height, width = picture.shape[:2]
-    image = bpy.data.images.new(path.stem, width, height)
-    try:
-        image.pixels.foreach_set(picture.ravel())
-        image.filepath_raw = str(path)
-        image.file_format = "PNG"
-        image.save()
-    finally:
-        bpy.data.images.remove(image)

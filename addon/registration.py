@@ -9,6 +9,7 @@ import bpy
 from . import properties
 from .nodes import (
     asset_build,
+    asset_libraries,
     fallback,
     film_colours,
     follow,
@@ -99,7 +100,7 @@ def unregister() -> None:
     bpy.utils.unregister_manual_map(manual.manual_map)
     panels.remove_from_menus()
     asset_build.unregister()
-    asset_library.hide(asset_library.default_folder())
+    asset_libraries.remove(asset_library.default_folder())
     limits.unregister()
     film_colours.unregister()
     follow.unregister()

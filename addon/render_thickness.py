@@ -21,7 +21,7 @@ def dress(
     looks.dress(material, compiled)
     if not options.frames:
         return
-    timed = [node for node in thickness.sources_of(material) if "Time" in node.inputs]
+    timed = thickness.timed_sources(material)
     if not timed and not options.animate:
         raise UsageError(f"--frames: nothing in the look of {compiled.id} moves")
     for node in timed:

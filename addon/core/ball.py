@@ -128,7 +128,7 @@ def _mirrored(normal: np.ndarray) -> np.ndarray:
 def _studio(direction: np.ndarray, finish: Finish) -> np.ndarray:
     """Radiance from a direction, blurred by the roughness: a bright tent, dark below, and soft boxes."""
     blur = 0.03 + 2.2 * finish.roughness**1.5
-    sky = _step(direction[..., 1], -0.45 - blur, 0.55 + blur)
+    sky = smooth_step(direction[..., 1], -0.45 - blur, 0.55 + blur)
     radiance = 0.2 + 0.6 * sky
     for box in _BOXES:
         radiance = radiance + box.radiance * _box(direction, box, blur, finish.anisotropy)
@@ -151,8 +151,10 @@ def _box(direction: np.ndarray, box: Box, blur: float, anisotropy: float) -> np.
     ):
         away = np.abs(direction @ axis) / depth
         # As much light as an edge without blur lets by.
-        mask = mask * (1.0 - _step(away, half - own, half + own)) * half / math.hypot(half, own)
-    return mask * _step(direction @ ahead, 0.0, 0.25)
+        mask = (
+            mask * (1.0 - smooth_step(away, half - own, half + own)) * half / math.hypot(half, own)
+        )
+    return mask * smooth_step(direction @ ahead, 0.0, 0.25)
 
 
 def _through(film: Film, row, cosine: np.ndarray, finish: Finish) -> np.ndarray:
@@ -192,6 +194,6 @@ def _toned(colour: np.ndarray) -> np.ndarray:
     return toned + beyond * 0.35
 
 
-def _step(value: np.ndarray, low: float, high: float) -> np.ndarray:
+def smooth_step(value: np.ndarray, low: float, high: float) -> np.ndarray:
     part = np.clip((value - low) / (high - low), 0.0, 1.0)
     return part * part * (3.0 - 2.0 * part)

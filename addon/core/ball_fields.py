@@ -10,10 +10,10 @@ from functools import lru_cache
 
 import numpy as np
 
-from .thickness import ON, STRENGTH, Source
+from .ball import smooth_step
+from .thickness import ON, STRENGTH, ZERO_CELSIUS, Source
 
 Values = Mapping[str, float | Sequence[float]]
-_ZERO_CELSIUS = 273.15
 _WAVES = 7  # for each octave
 _OCTAVES = 4
 
@@ -43,7 +43,7 @@ def _mix(values: Values, low: str, high: str, part):
 
 def _clouds(values: Values, _below, place: np.ndarray):
     noise = _noise(place, values["Scale"], values["Detail"], 0.0)
-    return _mix(values, "Minimum", "Maximum", _step(noise, -2.0, 2.0))
+    return _mix(values, "Minimum", "Maximum", smooth_step(noise, -2.0, 2.0))
 
 
 def _painted(values: Values, _below, place: np.ndarray):
@@ -76,8 +76,8 @@ def _faces(values: Values, _below, _place):
 
 def _heat(values: Values, _below, place: np.ndarray):
     fallen = np.exp(-_away(values, place))
-    kelvin = _mix(values, "Coldest", "Hottest", fallen) + _ZERO_CELSIUS
-    slower = 1.0 / (values["At"] + _ZERO_CELSIUS) - 1.0 / kelvin
+    kelvin = _mix(values, "Coldest", "Hottest", fallen) + ZERO_CELSIUS
+    slower = 1.0 / (values["At"] + ZERO_CELSIUS) - 1.0 / kelvin
     return values["Grown"] * np.exp(values["Growth"] * slower)
 
 
@@ -93,7 +93,7 @@ def _drainage(values: Values, _below, place: np.ndarray):
     depth = np.clip((1.0 - place[..., 2]) / 2.0, 0.0, 1.0)
     film = values["Bottom"] * np.sqrt(depth / values["Time"])
     edge = values["Black Film"]
-    return values["Black Thickness"] + (film - values["Black Thickness"]) * _step(
+    return values["Black Thickness"] + (film - values["Black Thickness"]) * smooth_step(
         depth, edge, edge + 0.02
     )
 
@@ -132,11 +132,6 @@ def _waves() -> tuple[np.ndarray, np.ndarray]:
         directions, axis=1, keepdims=True
     )
     return directions, random.uniform(0.0, 2.0 * np.pi, len(directions))
-
-
-def _step(value: np.ndarray, low: float, high: float) -> np.ndarray:
-    part = np.clip((value - low) / (high - low), 0.0, 1.0)
-    return part * part * (3.0 - 2.0 * part)
 
 
 _FORMS: dict[str, Callable] = {

@@ -7,10 +7,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from .thickness import Input, Source
+from .thickness import ZERO_CELSIUS, Input, Source
 from .variations import Knob
-
-_ZERO_CELSIUS = 273.15
 
 # Of the material's own inputs. Dispersion other than 1 is not the glass; it is drawn by no die, but can
 # be turned. Roughness is drawn more finely near a mirror, as the eye sees it.
@@ -131,7 +129,7 @@ def _temperatures(
         if min(values["Grown"], values["Growth"], thickness) <= 0.0:
             continue
         slower = math.log(thickness / values["Grown"]) / values["Growth"]
-        inverse = 1.0 / (values["At"] + _ZERO_CELSIUS) - slower
-        if inverse > 0.0 and limits[0] <= 1.0 / inverse - _ZERO_CELSIUS <= limits[1]:
-            found.append(1.0 / inverse - _ZERO_CELSIUS)
+        inverse = 1.0 / (values["At"] + ZERO_CELSIUS) - slower
+        if inverse > 0.0 and limits[0] <= 1.0 / inverse - ZERO_CELSIUS <= limits[1]:
+            found.append(1.0 / inverse - ZERO_CELSIUS)
     return tuple(found) if len(found) > 1 else ()

@@ -59,7 +59,7 @@ class Light:
     @property
     def hex(self) -> str:
         """sRGB, held to its gamut."""
-        return "#" + "".join(f"{round(255.0 * _srgb(value)):02x}" for value in self.rgb)
+        return "#" + "".join(f"{round(255.0 * srgb(value)):02x}" for value in self.rgb)
 
 
 @dataclass(frozen=True)
@@ -189,7 +189,7 @@ def _light(spectrum: Sequence[float], film: Film) -> Light:
     return Light(*(tuple(map(float, values)) for values in (spectrum, colour.XYZ, colour.rgb)))
 
 
-def _srgb(linear: float) -> float:
+def srgb(linear: float) -> float:
     """IEC 61966-2-1."""
     held = min(max(linear, 0.0), 1.0)
     return 12.92 * held if held <= 0.0031308 else 1.055 * held ** (1.0 / 2.4) - 0.055

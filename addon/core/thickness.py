@@ -98,6 +98,7 @@ POSITION, POINT, CURVE = "Position", "Point", "Curve"
 _VECTOR = Input("Vector", "Where on the surface", value=(0.0, 0.0, 0.0))
 _LEAST = Input("Minimum", "Thickness where the value is 0", share=0.0)
 _LARGEST = Input("Maximum", "Thickness where the value is 1", share=1.0)
+_BETWEEN = (Input("Value", "0: minimum, 1: maximum", value=0.5, maximum=1.0), _LEAST, _LARGEST)
 _NEAR = Input("Near", "Thickness at the start", share=0.0)
 _FAR = Input("Far", "Thickness at the end", share=1.0)
 _START = Input("Start", "Where it starts, in the object's box: 0 to 1", value=(0.0, 0.5, 0.5))
@@ -106,6 +107,8 @@ _START = Input("Start", "Where it starts, in the object's box: 0 to 1", value=(0
 def _axes(values: tuple[float, float, float]) -> Input:
     return Input("Axes", "How much each axis counts; 0 leaves it out", value=values)
 
+
+ZERO_CELSIUS = 273.15  # in K
 
 # Oxide grows as √t, and the faster the hotter it is: d = d₀ exp(-B/T). A fit of B to the temperatures
 # of the workshop's colours (galvanotechnik-for-you.de, Anlauffarben: 220 °C pale yellow to 293 °C blue)
@@ -132,14 +135,14 @@ SOURCES = (
         "map",
         "Image",
         "A picture or any other texture from 0 to 1, as a thickness from minimum to maximum",
-        (Input("Value", "0: minimum, 1: maximum", value=0.5, maximum=1.0), _LEAST, _LARGEST),
+        _BETWEEN,
         "UV",
     ),
     Source(
         "attribute",
         "Paint",
         "Brushed onto the object, or any attribute from 0 to 1, through a ramp",
-        (Input("Value", "0: minimum, 1: maximum", value=0.5, maximum=1.0), _LEAST, _LARGEST),
+        _BETWEEN,
     ),
     Source(
         "noise",

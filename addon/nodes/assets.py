@@ -20,8 +20,8 @@ from ..core.looks import Variant, variants
 from ..core.manifest import CompiledMaterial, ManifestError
 from ..core.whole_file import write_whole
 from ..core.words import synonyms
+from . import asset_libraries, looks
 from . import group as groups
-from . import looks
 from . import scene as scene_setup
 from .material import create_material
 
@@ -32,12 +32,7 @@ _KINDS = ("materials", "node_groups", "images", "texts")
 
 
 def default_folder() -> Path:
-    """The extension's own folder for what it makes; kept over updates. It may not be there yet."""
-    try:
-        package = __package__.rpartition(".")[0]
-        return Path(bpy.utils.extension_path_user(package, path="assets"))
-    except ValueError:  # not installed as an extension
-        return Path(bpy.utils.user_resource("DATAFILES", path="nacre_assets"))
+    return asset_libraries.own_folder("assets")
 
 
 def build(folder: Path, tell: Callable[[int, int], None] | None = None) -> tuple[int, list[str]]:
@@ -74,17 +69,7 @@ def build(folder: Path, tell: Callable[[int, int], None] | None = None) -> tuple
 
 
 def show(folder: Path) -> None:
-    """Lists the folder among the asset libraries, once."""
-    libraries = bpy.context.preferences.filepaths.asset_libraries
-    if _listed(folder) is None:
-        libraries.new(name=NAME, directory=str(folder))
-
-
-def hide(folder: Path) -> None:
-    libraries = bpy.context.preferences.filepaths.asset_libraries
-    found = _listed(folder)
-    if found is not None:
-        libraries.remove(found)
+    asset_libraries.add(folder, NAME)
 
 
 def is_built(folder: Path) -> bool:
@@ -114,20 +99,11 @@ def _stamp() -> str:
     return f"schema {groups.SCHEMA_VERSION}\n{''.join(lines)}"
 
 
-def is_shown(folder: Path) -> bool:
-    return _listed(folder) is not None
-
-
 def delete(folder: Path) -> None:
     """Raises OSError where the folder cannot be changed; it is then still listed."""
     if folder.exists():
         shutil.rmtree(folder)
-    hide(folder)
-
-
-def _listed(folder: Path) -> bpy.types.UserAssetLibrary | None:
-    libraries = bpy.context.preferences.filepaths.asset_libraries
-    return next((lib for lib in libraries if Path(lib.path) == folder), None)
+    asset_libraries.remove(folder)
 
 
 def _asset(compiled: CompiledMaterial, variant: Variant) -> bpy.types.Material:

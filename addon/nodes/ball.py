@@ -10,8 +10,6 @@ from functools import lru_cache
 
 import bpy
 
-from ..core.manifest import ManifestError
-from ..core.stack import StackError
 from ..core.thickness import source
 from . import group as groups
 from . import stack
@@ -42,14 +40,11 @@ def subject(
     material: bpy.types.Material, state: Mapping[str, float] | None = None
 ) -> Subject | None:
     """None of what is no film, or cannot be computed."""
-    if kind(material) != "film" or stack.library_problem():
+    found = stack.known(material) if kind(material) == "film" else None
+    if found is None:
         return None
+    library, wanted = found
     given = state or {}
-    try:
-        wanted = stack.recipe(material)
-        library = stack.library_digest(wanted)
-    except (StackError, ManifestError, ValueError):
-        return None
     sources = sources_of(material)[::-1]
     socket = thickness_socket(material)
     span = thickness_range(socket) if socket is not None else (0.0, 1.0)

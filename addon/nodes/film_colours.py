@@ -10,10 +10,8 @@ from functools import lru_cache
 import bpy
 
 from ..core import colour_names
-from ..core.manifest import ManifestError
-from ..core.stack import StackError
 from . import stack
-from .material import WHEN_MADE
+from .material import WHEN_MADE, interface_item
 from .thickness import thickness_range, thickness_socket
 
 CHIPS = 16
@@ -33,13 +31,9 @@ class Chip:
 def chips(material: bpy.types.Material) -> tuple[Chip, ...]:
     """Along the whole range; nothing where the thickness cannot vary, or nothing can be computed."""
     socket = thickness_socket(material)
-    if socket is None or stack.library_problem():
+    if socket is None:
         return ()
-    try:
-        wanted = stack.recipe(material)
-        return _chips(stack.library_digest(wanted), wanted, *thickness_range(socket))
-    except (StackError, ManifestError, ValueError):  # the panel says what is wrong with an edit
-        return ()
+    return _chips(*along(material, *thickness_range(socket), CHIPS))
 
 
 def describe(material: bpy.types.Material) -> None:
@@ -47,51 +41,47 @@ def describe(material: bpy.types.Material) -> None:
     socket = thickness_socket(material)
     if socket is None:
         return
-    tree = socket.node.node_tree
-    items = tree.interface.items_tree
-    item = next(item for item in items if item.identifier == socket.identifier)
-    unit = " nm" if item.max_value > 10.0 else ""  # or factors
-    said = f"{item.min_value:g}–{item.max_value:g}{unit}"
-    names = _names(material, item.min_value, item.max_value)
+    item = interface_item(socket)
+    low, high = thickness_range(socket)
+    unit = " nm" if high > 10.0 else ""  # or factors
+    said = f"{low:g}–{high:g}{unit}"
+    names = colour_names.along(*along(material, low, high, _FINE))
     item.description = f"{said}: {names}" if names else said
 
 
-def _names(material: bpy.types.Material, low: float, high: float) -> str:
-    if stack.library_problem():
-        return ""
+Colours = tuple[tuple[float, ...], ...]  # linear Rec.709
+
+
+def along(
+    material: bpy.types.Material, low: float, high: float, count: int
+) -> tuple[tuple[float, ...], Colours]:
+    """Thicknesses at even steps and their colours; nothing where they cannot be computed."""
+    found = stack.known(material)
     try:
-        wanted = stack.recipe(material)
-        return _found_names(stack.library_digest(wanted), wanted, low, high)
-    except (StackError, ManifestError, ValueError):
-        return ""
+        colours = _colours(*found, count) if found else ()
+    except ValueError:  # of an unfinished edit
+        colours = ()
+    step = (high - low) / (count - 1)
+    return tuple(low + step * index for index in range(len(colours))), colours
 
 
 @lru_cache(maxsize=128)
-def _found_names(_library: str, wanted: stack.Recipe, low: float, high: float) -> str:
-    return colour_names.along(_spaced(low, high, _FINE), _colours(wanted, _FINE))
-
-
-@lru_cache(maxsize=32)
-def _chips(_library: str, wanted: stack.Recipe, low: float, high: float) -> tuple[Chip, ...]:
-    from ..core import plot
-
-    shown = colour_names.brightened(_colours(wanted, CHIPS))
-    return tuple(
-        Chip(value, tuple(map(float, plot.encode(colour))), colour_names.name(colour))
-        for value, colour in zip(_spaced(low, high, CHIPS), shown, strict=True)
-    )
-
-
-def _colours(wanted: stack.Recipe, count: int) -> list[list[float]]:
+def _colours(_library: str, wanted: stack.Recipe, count: int) -> Colours:
     import nacre
 
     size = {"R": (count, _COLUMNS)}
     tables = nacre.preview_tables(wanted.template, size, **wanted.conditions._asdict())
-    return tables["R"][:, -1].tolist()
+    return tuple(map(tuple, tables["R"][:, -1].tolist()))
 
 
-def _spaced(low: float, high: float, count: int) -> list[float]:
-    return [low + (high - low) * index / (count - 1) for index in range(count)]
+@lru_cache(maxsize=32)
+def _chips(values: tuple[float, ...], colours: Colours) -> tuple[Chip, ...]:
+    from ..core import plot
+
+    return tuple(
+        Chip(value, tuple(map(float, plot.encode(colour))), colour_names.name(colour))
+        for value, colour in zip(values, colour_names.brightened(colours), strict=True)
+    )
 
 
 def register() -> None:

@@ -166,3 +166,17 @@ def _converted(rgba, matrix: Matrix | None):
     if matrix is not None:
         rgba[:, :3] = rgba[:, :3].astype(np.float64) @ np.array(matrix).T
     return rgba
+
+
+def save_png(path: Path, picture) -> None:
+    """`picture`: an array (height, width, 4), display-referred, bottom row first. Raises RuntimeError
+    where it cannot be written."""
+    height, width = picture.shape[:2]
+    image = bpy.data.images.new(path.stem, width, height)
+    try:
+        image.pixels.foreach_set(picture.ravel())
+        image.filepath_raw = str(path)
+        image.file_format = "PNG"
+        image.save()
+    finally:
+        bpy.data.images.remove(image)

@@ -102,10 +102,21 @@ def group_node(material: bpy.types.Material | None) -> bpy.types.ShaderNodeGroup
     return None
 
 
+def active_material(context) -> bpy.types.Material | None:
+    """Of the active object."""
+    return context.object.active_material if context.object else None
+
+
 def belongs_here(material: bpy.types.Material) -> bool:
     """Whether this file keeps what is changed: neither linked nor a library override, whose stack and
     values Blender takes from the library again when the file is opened."""
     return material.is_editable and material.override_library is None
+
+
+def interface_item(socket: bpy.types.NodeSocket) -> bpy.types.NodeTreeInterfaceSocket:
+    """What the group of a group node says of one of its inputs: limits and description."""
+    items = socket.node.node_tree.interface.items_tree
+    return next(item for item in items if item.identifier == socket.identifier)
 
 
 def input_socket(material: bpy.types.Material, name: str) -> bpy.types.NodeSocket | None:

@@ -20,11 +20,11 @@ from bpy.app.handlers import persistent
 from ..core import file_names
 from ..core.catalogues import FILE, catalogue_text
 from ..core.library import Library
-from ..core.png import png
 from ..core.whole_file import aside, write_whole
 from ..output import OutputError
+from . import asset_libraries, look_file, schema, stack
 from . import group as groups
-from . import look_file, schema, stack
+from .image import save_png
 from .look_file import LOOK, PRINT
 from .material import group_node
 
@@ -48,12 +48,7 @@ class Look:
 
 
 def folder() -> Path:
-    """The user's own, kept over updates. It may not be there yet."""
-    try:
-        package = __package__.rpartition(".")[0]
-        return Path(bpy.utils.extension_path_user(package, path="looks"))
-    except ValueError:  # not installed as an extension
-        return Path(bpy.utils.user_resource("DATAFILES", path="nacre_looks"))
+    return asset_libraries.own_folder("looks")
 
 
 def looks() -> tuple[Look, ...]:
@@ -119,9 +114,11 @@ def _write_picture(path: Path, pixels: list[float]) -> None:
     """A look is whole without it."""
     unfinished = aside(path)
     size = math.isqrt(len(pixels) // 4)
-    with contextlib.suppress(OSError):
+    with contextlib.suppress(OSError, RuntimeError):
         if size:
-            unfinished.write_bytes(png(size, size, pixels))
+            import numpy as np
+
+            save_png(unfinished, np.array(pixels, dtype=np.float32).reshape(size, size, 4))
             unfinished.replace(path)
         else:
             path.unlink()  # of the one that it replaces
@@ -235,21 +232,13 @@ def _after_import(*_arguments) -> None:
 
 
 def show() -> None:
-    """Lists the folder among the asset libraries, once, when there is a look."""
-    if _listed() is None and looks():
-        libraries = bpy.context.preferences.filepaths.asset_libraries
-        libraries.new(name=NAME, directory=str(folder()))
+    """Lists the folder among the asset libraries when there is a look."""
+    if looks():
+        asset_libraries.add(folder(), NAME)
 
 
 def hide() -> None:
-    found = _listed()
-    if found is not None:
-        bpy.context.preferences.filepaths.asset_libraries.remove(found)
-
-
-def _listed() -> bpy.types.UserAssetLibrary | None:
-    libraries = bpy.context.preferences.filepaths.asset_libraries
-    return next((lib for lib in libraries if Path(lib.path) == folder()), None)
+    asset_libraries.remove(folder())
 
 
 def _refresh_browsers() -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import bpy
 
+from ..core.probe import srgb
 from ..output import OutputError
 
 LAYER = "Film Thickness"
@@ -58,9 +59,5 @@ def _load_brush(context, value: float) -> None:
     for holder in holders:
         # Since 5.0 brushes are in scene-linear colours, as the layer is; before, in sRGB.
         is_srgb = holder.bl_rna.properties["color"].subtype == "COLOR_GAMMA"
-        grey = _encoded(value) if is_srgb else value
+        grey = srgb(value) if is_srgb else value
         holder.color = (grey, grey, grey)
-
-
-def _encoded(linear: float) -> float:
-    return 12.92 * linear if linear <= 0.0031308 else 1.055 * linear ** (1.0 / 2.4) - 0.055

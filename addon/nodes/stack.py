@@ -209,6 +209,18 @@ def preview_task(material: bpy.types.Material) -> Callable[[], object] | None:
     return partial(_quick_tables, recipe(material), _sizes(images), material.name)
 
 
+def known(material: bpy.types.Material) -> tuple[str, Recipe] | None:
+    """What the colours of a film depend on: the library's entries at present, and the recipe. None
+    where they cannot be computed; the panel says what is wrong with an edit."""
+    if library_problem():
+        return None
+    try:
+        wanted = recipe(material)
+        return library_digest(wanted), wanted
+    except (StackError, ManifestError, ValueError):
+        return None
+
+
 def library_digest(wanted: Recipe) -> str:
     """Of what the library has at present for the names in a recipe, where a user may edit entries."""
     import nacre

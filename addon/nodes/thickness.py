@@ -21,7 +21,7 @@ from ..core.thickness import (
 )
 from . import heat
 from .image import hold_as_data
-from .material import group_node, input_socket
+from .material import group_node, input_socket, interface_item
 from .thickness_groups import SOURCE, source_group
 
 _FEEDS = ("TEX_COORD", "NEW_GEOMETRY", "ATTRIBUTE", "TEX_IMAGE", "VALTORGB")
@@ -38,8 +38,7 @@ def thickness_socket(material: bpy.types.Material) -> bpy.types.NodeSocket | Non
 
 def thickness_range(socket: bpy.types.NodeSocket) -> tuple[float, float]:
     """What the material's tables cover; beyond it they hold their edge."""
-    interface = socket.node.node_tree.interface.items_tree
-    item = next(item for item in interface if item.identifier == socket.identifier)
+    item = interface_item(socket)
     return item.min_value, item.max_value
 
 
@@ -54,6 +53,10 @@ def sources_of(material: bpy.types.Material) -> list[bpy.types.ShaderNodeGroup]:
         found.append(node)
         socket = below(node)
     return found
+
+
+def timed_sources(material: bpy.types.Material) -> list[bpy.types.ShaderNodeGroup]:
+    return [node for node in sources_of(material) if "Time" in node.inputs]
 
 
 def spec_of(node: bpy.types.ShaderNodeGroup) -> Source:

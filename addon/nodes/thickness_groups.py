@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import bpy
 
-from ..core.thickness import BELOW, ON, STRENGTH, Input, Source
+from ..core.thickness import BELOW, ON, STRENGTH, ZERO_CELSIUS, Input, Source
 from .formula import Formula
 
 SOURCE, FORM = "nacre_thickness_source", "nacre_thickness_form"
@@ -18,8 +18,6 @@ SOURCE, FORM = "nacre_thickness_source", "nacre_thickness_form"
 FORM_NOW = 2  # 1: no layer below, no strength
 
 Inputs = dict[str, bpy.types.NodeSocket]
-
-_ZERO_CELSIUS = 273.15
 
 
 def source_group(spec: Source) -> bpy.types.ShaderNodeTree:
@@ -112,8 +110,8 @@ def _heat(formula: Formula, at: Inputs) -> bpy.types.NodeSocket:
     exp(-x/L) (the equation of a fin); the oxide that grew, d = d_ref exp(B (1/T_ref - 1/T))."""
     fallen = formula.number("EXPONENT", formula.number("MULTIPLY", _distance(formula, at), -1.0))
     celsius = formula.mix(fallen, at["Coldest"], at["Hottest"])
-    kelvin = formula.number("ADD", celsius, _ZERO_CELSIUS)
-    reference = formula.number("ADD", at["At"], _ZERO_CELSIUS)
+    kelvin = formula.number("ADD", celsius, ZERO_CELSIUS)
+    reference = formula.number("ADD", at["At"], ZERO_CELSIUS)
     slower = formula.number(
         "SUBTRACT", formula.number("DIVIDE", 1.0, reference), formula.number("DIVIDE", 1.0, kelvin)
     )

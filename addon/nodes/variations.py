@@ -9,19 +9,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
 
 import bpy
 
 from ..core.knobs import own_knob, source_knob, thickness_knob
-from ..core.manifest import ManifestError
-from ..core.stack import StackError
 from ..core.thickness import BELOW, SOCKETS, STRENGTH
 from ..core.variations import Knob, State, colour_ladder, like, randomised, state_of
+from . import film_colours
 from . import group as groups
-from . import stack
 from .animation import is_animated
-from .material import group_node, input_socket
+from .material import group_node, input_socket, interface_item
 from .thickness import sources_of, spec_of, thickness_range, thickness_socket
 
 COUNT = 7
@@ -134,27 +131,11 @@ def _is_free(socket: bpy.types.NodeSocket) -> bool:
 
 
 def _limits(socket: bpy.types.NodeSocket) -> tuple[float, float]:
-    items = socket.node.node_tree.interface.items_tree
-    item = next(item for item in items if item.identifier == socket.identifier)
+    item = interface_item(socket)
     return item.min_value, item.max_value
 
 
 def _ladder(material: bpy.types.Material, span: tuple[float, float]) -> tuple[float, ...]:
     """Nothing where colours cannot be computed: thicknesses are even then."""
-    if stack.library_problem():
-        return ()
-    try:
-        wanted = stack.recipe(material)
-        return _found_ladder(stack.library_digest(wanted), wanted, *span)
-    except (StackError, ManifestError, ValueError):
-        return ()
-
-
-@lru_cache(maxsize=32)
-def _found_ladder(_library: str, wanted: stack.Recipe, low: float, high: float):
-    import nacre
-
-    sizes = {"R": (_ROWS, 8)}
-    tables = nacre.preview_tables(wanted.template, sizes, **wanted.conditions._asdict())
-    values = [low + (high - low) * row / (_ROWS - 1) for row in range(_ROWS)]
-    return colour_ladder(values, tables["R"][:, -1].tolist())
+    values, colours = film_colours.along(material, *span, _ROWS)
+    return colour_ladder(values, colours) if colours else ()

@@ -8,7 +8,7 @@ from functools import partial
 
 import bpy
 
-from ..nodes import asset_build, assets
+from ..nodes import asset_build, asset_libraries, assets
 from ..nodes.settings import preferences
 from .guard import reports_errors
 
@@ -59,7 +59,7 @@ class NACRE_OT_open_assets(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        if context.window is None or not assets.is_shown(assets.default_folder()):
+        if context.window is None or not asset_libraries.is_listed(assets.default_folder()):
             cls.poll_message_set("There is no asset library yet")
             return False
         return True

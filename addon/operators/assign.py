@@ -130,8 +130,7 @@ class NACRE_OT_favourite(bpy.types.Operator):
 
 def _describe(scene, name: str, compiled: CompiledMaterial, form: str, targets: list) -> list[str]:
     """Sets up the scene, and says what was done to it."""
-    count = targets[0].name if len(targets) == 1 else f"{len(targets)} objects"
-    said = [f"{name} assigned to {count}."]
+    said = [f"{name} assigned to {named(targets)}."]
     if form == OSL:
         if scene_setup.use_osl(scene):
             said.append("Cycles now renders with Open Shading Language.")
@@ -140,6 +139,11 @@ def _describe(scene, name: str, compiled: CompiledMaterial, form: str, targets: 
     elif form == NODES and compiled.negative_gamut:
         said.append("As nodes, colours outside the gamut are clipped.")
     return [*said, *(f"{note}." for note in compiled.notes)]
+
+
+def named(targets: list[bpy.types.Object]) -> str:
+    """The object, or how many there are."""
+    return targets[0].name if len(targets) == 1 else f"{len(targets)} objects"
 
 
 def _chosen(context) -> list[bpy.types.Object]:

@@ -14,22 +14,18 @@ from ..core.form import OSL
 from ..core.thickness import CURVE, POINT
 from ..nodes import look_file, my_looks, painting, thickness
 from ..nodes import scene as scene_setup
-from ..nodes.material import describe, group_node
+from ..nodes.material import active_material, describe, group_node
 from ..nodes.script import has_osl
 from ..output import OutputError
-from .assign import put, takers
+from .assign import named, put, takers
 from .guard import reports_errors
 from .thickness import around
-
-
-def _material(context) -> bpy.types.Material | None:
-    return context.object.active_material if context.object else None
 
 
 class _WaveMaterialOperator(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
-        if group_node(_material(context)) is None:
+        if group_node(active_material(context)) is None:
             cls.poll_message_set("Select an object that has a wave material")
             return False
         return True
@@ -57,7 +53,7 @@ class NACRE_OT_save_look(_WaveMaterialOperator):
 
     def invoke(self, context, _event):
         if not self.properties.is_property_set("name"):
-            self.name = file_names.tidy(_material(context).name)
+            self.name = file_names.tidy(active_material(context).name)
         return context.window_manager.invoke_props_dialog(self)
 
     def draw(self, _context):
@@ -71,7 +67,7 @@ class NACRE_OT_save_look(_WaveMaterialOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         saved = my_looks.save(
             material, self.name or material.name, self.words, replace=self.replace
         )
@@ -105,9 +101,7 @@ class NACRE_OT_assign_look(_LookOperator):
     def execute(self, context):
         material = my_looks.material_of(my_looks.look(self.look))
         _assign(context, material)
-        targets = takers(context)
-        count = targets[0].name if len(targets) == 1 else f"{len(targets)} objects"
-        self.report({"INFO"}, f"{self.look} assigned to {count}")
+        self.report({"INFO"}, f"{self.look} assigned to {named(takers(context))}")
         return {"FINISHED"}
 
 
@@ -137,7 +131,7 @@ class NACRE_OT_export_look(_WaveMaterialOperator):
     check_existing: BoolProperty(default=True, options={"HIDDEN"})
 
     def invoke(self, context, _event):
-        name = file_names.tidy(_material(context).name)
+        name = file_names.tidy(active_material(context).name)
         self.filepath = f"{file_names.stem(name)}.blend"
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
@@ -149,7 +143,7 @@ class NACRE_OT_export_look(_WaveMaterialOperator):
             raise OutputError("The look needs the name of a file")
         if bpy.data.filepath and path == Path(bpy.data.filepath):
             raise OutputError(f"{path}: is the file that is open; choose another name")
-        material = _material(context)
+        material = active_material(context)
         look_file.write(material, file_names.tidy(material.name), path)
         self.report({"INFO"}, f"{path} written")
         return {"FINISHED"}

@@ -14,14 +14,10 @@ from ..core.manifest import ManifestError
 from ..core.stack import MOST_LAYERS, Layer, read_stack
 from ..core.whole_file import write_whole
 from ..nodes import live, stack
-from ..nodes.material import group_node, kind
+from ..nodes.material import active_material, group_node, kind
 from .guard import allows_change, reports_errors
 
 NEW_LAYER = Layer("SiO2/Malitson", 100.0)
-
-
-def _material(context) -> bpy.types.Material | None:
-    return context.object.active_material if context.object else None
 
 
 class _FilmOperator(bpy.types.Operator):
@@ -29,7 +25,7 @@ class _FilmOperator(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        material = _material(context)
+        material = active_material(context)
         if group_node(material) is None or kind(material) != "film":
             cls.poll_message_set("The active material is not a film")
             return False
@@ -47,7 +43,7 @@ class _StackOperator(_FilmOperator):
     def poll(cls, context):
         if not super().poll(context):
             return False
-        if not stack.is_edited(_material(context)):
+        if not stack.is_edited(active_material(context)):
             cls.poll_message_set("Start with Edit Stack")
             return False
         return True
@@ -60,7 +56,7 @@ class NACRE_OT_edit_stack(_FilmOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         stack.set_recipe(material, stack.recipe(material))
         properties.fill(material)
         live.warm_up(material)
@@ -78,7 +74,7 @@ class NACRE_OT_revert_stack(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        stack.revert(_material(context))
+        stack.revert(active_material(context))
         return {"FINISHED"}
 
 
@@ -89,7 +85,7 @@ class NACRE_OT_finish_stack(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        stack.finish(_material(context))
+        stack.finish(active_material(context))
         return {"FINISHED"}
 
 
@@ -100,7 +96,7 @@ class NACRE_OT_add_layer(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         made = stack.stack_of(material)
         if len(made.layers) >= MOST_LAYERS:
             self.report({"ERROR"}, f"A stack has at most {MOST_LAYERS} layers")
@@ -120,7 +116,7 @@ class NACRE_OT_remove_layer(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         made = stack.stack_of(material)
         place = material.nacre.active
         if not 0 <= place < len(made.layers):
@@ -148,7 +144,7 @@ class NACRE_OT_move_layer(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         made = stack.stack_of(material)
         place = material.nacre.active
         other = place + (-1 if self.direction == "UP" else 1)
@@ -170,7 +166,7 @@ class NACRE_OT_vary_layer(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         made = stack.stack_of(material)
         if made.has_scale:
             self.report({"ERROR"}, "This material scales all of its layers together")
@@ -198,7 +194,7 @@ class NACRE_OT_save_template(_StackOperator):
     filter_glob: StringProperty(default="*.toml", options={"HIDDEN"})
 
     def invoke(self, context, _event):
-        self.filepath = f"{bpy.path.clean_name(_material(context).name)}.toml"
+        self.filepath = f"{bpy.path.clean_name(active_material(context).name)}.toml"
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
@@ -208,7 +204,7 @@ class NACRE_OT_save_template(_StackOperator):
         if path.name == ".toml":
             self.report({"ERROR"}, "The template needs the name of a file")
             return {"CANCELLED"}
-        write_whole(path, _material(context)[stack.TEMPLATE])
+        write_whole(path, active_material(context)[stack.TEMPLATE])
         self.report({"INFO"}, f"{path} written")
         return {"FINISHED"}
 
@@ -229,7 +225,7 @@ class NACRE_OT_load_template(_FilmOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         path = Path(bpy.path.abspath(self.filepath))
         try:
             text = path.read_text("utf-8")

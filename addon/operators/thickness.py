@@ -11,12 +11,9 @@ from mathutils import Vector
 from ..core.thickness import CURVE, POINT, SOURCES, source
 from ..nodes import film_colours, heat, painting, thickness
 from ..nodes.image import hold_as_data
+from ..nodes.material import active_material
 from ..output import OutputError
 from .guard import allows_change, reports_errors
-
-
-def _material(context) -> bpy.types.Material | None:
-    return context.object.active_material if context.object else None
 
 
 class _ThicknessOperator(bpy.types.Operator):
@@ -24,7 +21,7 @@ class _ThicknessOperator(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        material = _material(context)
+        material = active_material(context)
         if material is None or thickness.thickness_socket(material) is None:
             cls.poll_message_set("The active material has no thickness that could vary")
             return False
@@ -40,13 +37,13 @@ class _SourceOperator(_ThicknessOperator):
     def poll(cls, context):
         if not super().poll(context):
             return False
-        if not thickness.sources_of(_material(context)):
+        if not thickness.sources_of(active_material(context)):
             cls.poll_message_set("The thickness of the active material does not vary")
             return False
         return True
 
     def source(self, context) -> bpy.types.ShaderNodeGroup:
-        sources = thickness.sources_of(_material(context))
+        sources = thickness.sources_of(active_material(context))
         if self.index >= len(sources):
             raise OutputError(f"There is no source {self.index}; there are {len(sources)}")
         return sources[self.index]
@@ -77,7 +74,7 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         spec = source(self.source)
         image = None
         if self.source == "map" and self.filepath:
@@ -106,7 +103,7 @@ def around(context, coordinates: str | None) -> bpy.types.Object | None:
         return None
     selected = (obj for obj in context.selected_objects or () if obj.type == "CURVE")
     curve = next(selected, None) or _beside(context, "Heat Curve", _line())
-    wanted = _material(context)
+    wanted = active_material(context)
     objects = [
         obj
         for obj in context.scene.objects
@@ -177,7 +174,7 @@ class NACRE_OT_open_thickness_image(_SourceOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         node = _image_source(self, context)
         thickness.link_image(material, node, _picture(bpy.path.abspath(self.filepath)))
         return {"FINISHED"}
@@ -185,7 +182,7 @@ class NACRE_OT_open_thickness_image(_SourceOperator):
 
 def _image_source(operator: _SourceOperator, context) -> bpy.types.ShaderNodeGroup:
     """The one that is meant, or the uppermost that is fed by a picture."""
-    sources = thickness.sources_of(_material(context))
+    sources = thickness.sources_of(active_material(context))
     pictures = [node for node in sources if thickness.spec_of(node).id == "map"]
     if operator.index < len(sources) and sources[operator.index] in pictures:
         return sources[operator.index]
@@ -215,7 +212,7 @@ class NACRE_OT_remove_thickness_source(_SourceOperator):
 
     @reports_errors
     def execute(self, context):
-        thickness.remove_source(_material(context), self.source(context))
+        thickness.remove_source(active_material(context), self.source(context))
         return {"FINISHED"}
 
 
@@ -236,7 +233,7 @@ class NACRE_OT_move_thickness_source(_SourceOperator):
     @reports_errors
     def execute(self, context):
         places = 1 if self.direction == "UP" else -1
-        if not thickness.move_source(_material(context), self.source(context), places):
+        if not thickness.move_source(active_material(context), self.source(context), places):
             self.report({"INFO"}, "It cannot go any further.")
             return {"CANCELLED"}
         return {"FINISHED"}
@@ -249,7 +246,7 @@ class NACRE_OT_remove_thickness(_ThicknessOperator):
 
     @reports_errors
     def execute(self, context):
-        thickness.remove_sources(_material(context))
+        thickness.remove_sources(active_material(context))
         return {"FINISHED"}
 
 
@@ -260,7 +257,7 @@ class NACRE_OT_animate_thickness(_ThicknessOperator):
 
     @reports_errors
     def execute(self, context):
-        timed = [n for n in thickness.sources_of(_material(context)) if "Time" in n.inputs]
+        timed = thickness.timed_sources(active_material(context))
         if not timed:
             self.report({"ERROR"}, "No source of the thickness has a time; add Swirl or Drainage")
             return {"CANCELLED"}
@@ -281,14 +278,14 @@ class NACRE_OT_set_thickness(_ThicknessOperator):
     @classmethod
     def description(cls, context, properties):
         """Such as `40 nm: purple`."""
-        material = _material(context)
+        material = active_material(context)
         chips = film_colours.chips(material) if material is not None else ()
         near = min(chips, key=lambda chip: abs(chip.thickness - properties.thickness), default=None)
         return f"{properties.thickness:.3g}: {near.name}." if near else cls.bl_description
 
     @reports_errors
     def execute(self, context):
-        socket = thickness.thickness_socket(_material(context))
+        socket = thickness.thickness_socket(active_material(context))
         if socket.is_linked:
             self.report({"ERROR"}, "The thickness varies: change its sources, or take them away")
             return {"CANCELLED"}

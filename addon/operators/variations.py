@@ -11,7 +11,7 @@ from bpy.props import EnumProperty, IntProperty
 
 from ..core.variations import words
 from ..nodes import variations
-from ..nodes.material import group_node
+from ..nodes.material import active_material, group_node
 from ..output import OutputError
 from .guard import allows_change, reports_errors
 
@@ -29,14 +29,10 @@ KINDS = (
 )
 
 
-def _material(context) -> bpy.types.Material | None:
-    return context.object.active_material if context.object else None
-
-
 class _VariationOperator(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
-        material = _material(context)
+        material = active_material(context)
         if group_node(material) is None:
             cls.poll_message_set("Select an object that has a wave material")
             return False
@@ -63,7 +59,7 @@ class NACRE_OT_vary_look(_VariationOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         if not variations.knobs(material, with_colours=False):
             raise OutputError(f"{material.name} has nothing to vary that is not linked or animated")
         seed = self.seed if self.seed >= 0 else random.randrange(_SEEDS)
@@ -87,7 +83,7 @@ class NACRE_OT_take_variation(_VariationOperator):
     @classmethod
     def description(cls, context, properties):
         """Such as `roughness 0.21 · thickness nm 310`."""
-        material = _material(context)
+        material = active_material(context)
         drawn = variations.drawn(material) if group_node(material) else None
         if drawn is None:
             return cls.bl_description
@@ -98,7 +94,7 @@ class NACRE_OT_take_variation(_VariationOperator):
 
     @reports_errors
     def execute(self, context):
-        material = _material(context)
+        material = active_material(context)
         drawn = variations.drawn(material)
         if drawn is None:
             raise OutputError("There are no variations of this material: Randomise first")

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from ..nodes import asset_build, assets
+from ..nodes import asset_build, asset_libraries, assets
 from . import wrapped
 
 
@@ -20,7 +20,7 @@ def draw_asset_build(layout) -> None:
     if not result:
         return
     box = layout.box()
-    made = assets.is_shown(assets.default_folder())
+    made = asset_libraries.is_listed(assets.default_folder())
     wrapped.label(box, result, "CHECKMARK" if made else "ERROR")
     row = box.row(align=True)
     if made:

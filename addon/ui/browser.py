@@ -10,11 +10,10 @@ from ..core.form import OSL
 from ..core.library import Entry, Library
 from ..core.looks import variants
 from ..nodes import chosen, lighting, thumbnails
-from ..nodes.material import group_node
 from ..nodes.script import has_osl
 from . import wrapped
 from .asset_build import draw_asset_build
-from .help import Documented
+from .help import Documented, OfWaveMaterial
 from .panels import draw_light, draw_material
 
 _LOCKED = (
@@ -85,16 +84,12 @@ def _draw_row(layout, title: str, shown) -> None:
         column.operator("nacre.assign_material", text=item.name).material = item.key
 
 
-class NACRE_PT_viewport_material(Documented, bpy.types.Panel):
+class NACRE_PT_viewport_material(OfWaveMaterial, bpy.types.Panel):
     manual_page = "thickness"
     bl_label = "Active Material"
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
     bl_category = "Nacre"
-
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and group_node(context.object.active_material) is not None
 
     def draw(self, context):
         draw_material(self.layout, context)

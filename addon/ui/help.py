@@ -1,10 +1,11 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The `?` of a panel's header."""
+"""What panels have in common: the `?` of a header, and when there is something to show."""
 
 from __future__ import annotations
 
 from ..core import manual
+from ..nodes.material import active_material, group_node
 
 
 class Documented:
@@ -18,3 +19,11 @@ class Documented:
             row.operator(
                 "nacre.open_manual", text="", icon="QUESTION", emboss=False
             ).page = self.manual_page
+
+
+class OfWaveMaterial(Documented):
+    """A panel of the active object's wave material."""
+
+    @classmethod
+    def poll(cls, context):
+        return group_node(active_material(context)) is not None

@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 
 from ..nodes import my_looks
-from ..nodes.material import group_node
+from ..nodes.material import active_material, group_node
 from . import wrapped
 from .help import Documented
 
@@ -27,7 +27,7 @@ class _Looks(Documented):
             _draw_look(grid, look)
         row = layout.row(align=True)
         row.operator_context = "INVOKE_DEFAULT"
-        material = context.object.active_material if context.object else None
+        material = active_material(context)
         if group_node(material) is not None:
             row.operator("nacre.save_look", text="Save Look…", icon="FILE_TICK")
             row.operator("nacre.export_look", text="Share…", icon="EXPORT")

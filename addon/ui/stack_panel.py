@@ -9,7 +9,7 @@ import bpy
 from ..core.light import AS_COMPILED, USUAL, Conditions, menu_item
 from ..core.messages import spoken
 from ..nodes import live, stack
-from ..nodes.material import group_node, kind
+from ..nodes.material import active_material, group_node, kind
 from ..nodes.thickness import thickness_socket
 from . import swatch, wrapped
 from .help import Documented
@@ -38,7 +38,7 @@ class _StackEditor(Documented):
 
     @classmethod
     def poll(cls, context):
-        material = context.object.active_material if context.object else None
+        material = active_material(context)
         return group_node(material) is not None and kind(material) == "film"
 
     def draw(self, context):
@@ -98,7 +98,7 @@ class _Advanced(Documented):
 
     @classmethod
     def poll(cls, context):
-        material = context.object.active_material if context.object else None
+        material = active_material(context)
         return stack.is_edited(material) and not stack.damage(material)
 
     def draw(self, context):

@@ -8,20 +8,15 @@ import bpy
 
 from ..core.variations import State, words
 from ..nodes import ball, variations
-from ..nodes.material import group_node
 from . import swatch, wrapped
-from .help import Documented
+from .help import OfWaveMaterial
 
 _SIZE = 96  # pixels of a picture
 
 
-class _Variations(Documented):
+class _Variations(OfWaveMaterial):
     bl_label = "Variations"
     bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and group_node(context.object.active_material) is not None
 
     def draw(self, context):
         layout = self.layout

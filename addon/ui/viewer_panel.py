@@ -8,19 +8,14 @@ import bpy
 
 from ..core.messages import spoken
 from ..nodes import passes, scene
-from ..nodes.material import group_node
 from ..operators import probe
 from . import swatch, wrapped
-from .help import Documented
+from .help import OfWaveMaterial
 
 
-class _Viewer(Documented):
+class _Viewer(OfWaveMaterial):
     manual_page = "viewer"
     bl_options = {"DEFAULT_CLOSED"}
-
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and group_node(context.object.active_material) is not None
 
 
 class _Probe(_Viewer):

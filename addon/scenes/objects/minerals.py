@@ -157,25 +157,8 @@ def _lump(shape, centre: Vector, radii, count: int, dice: random.Random) -> None
         direction = Vector([dice.gauss(0.0, 1.0) for _ in range(3)]).normalized()
         far = dice.uniform(0.88, 1.0)
         lump.verts.new([c + far * r * d for c, r, d in zip(centre, radii, direction, strict=True)])
-    bmesh.ops.convex_hull(lump, input=lump.verts)
-    bmesh.ops.dissolve_limit(
-        lump, angle_limit=math.radians(11.0), verts=lump.verts, edges=lump.edges
-    )
-    bmesh.ops.bevel(
-        lump,
-        geom=lump.edges,
-        offset=0.016,
-        segments=2,
-        profile=0.5,
-        affect="EDGES",
-        clamp_overlap=True,
-    )
-    bmesh.ops.recalc_face_normals(lump, faces=lump.faces)
-    data = bpy.data.meshes.new("Lump")
-    lump.to_mesh(data)
-    lump.free()
-    shape.from_mesh(data)
-    bpy.data.meshes.remove(data)
+    _harden(lump, flat_deg=11.0, edge=0.016, segments=2)
+    _put_in(shape, lump)
 
 
 def druse(scene: bpy.types.Scene) -> Portrayed:
@@ -212,24 +195,33 @@ def _point(shape, matrix: Matrix, wide: float, long: float, dice: random.Random)
         point.verts.new((r * c, r * s, 0.0))
         point.verts.new((0.92 * r * c, 0.92 * r * s, long - tip * dice.uniform(0.9, 1.3)))
     point.verts.new((dice.uniform(-0.1, 0.1) * wide, dice.uniform(-0.1, 0.1) * wide, long))
-    bmesh.ops.convex_hull(point, input=point.verts)
-    bmesh.ops.dissolve_limit(
-        point, angle_limit=math.radians(2.0), verts=point.verts, edges=point.edges
-    )
+    _harden(point, flat_deg=2.0, edge=0.008, segments=1)
+    point.transform(matrix)
+    _put_in(shape, point)
+
+
+def _harden(part: bmesh.types.BMesh, *, flat_deg: float, edge: float, segments: int) -> None:
+    """The hull of its points; what is nearly flat is flat, and edges catch light."""
+    bmesh.ops.convex_hull(part, input=part.verts)
+    angle = math.radians(flat_deg)
+    bmesh.ops.dissolve_limit(part, angle_limit=angle, verts=part.verts, edges=part.edges)
     bmesh.ops.bevel(
-        point,
-        geom=point.edges,
-        offset=0.008,
-        segments=1,
+        part,
+        geom=part.edges,
+        offset=edge,
+        segments=segments,
         profile=0.5,
         affect="EDGES",
         clamp_overlap=True,
     )
-    bmesh.ops.recalc_face_normals(point, faces=point.faces)
-    point.transform(matrix)
-    data = bpy.data.meshes.new("Point")
-    point.to_mesh(data)
-    point.free()
+    bmesh.ops.recalc_face_normals(part, faces=part.faces)
+
+
+def _put_in(shape: bmesh.types.BMesh, part: bmesh.types.BMesh) -> None:
+    """The part is gone afterwards."""
+    data = bpy.data.meshes.new("Part")
+    part.to_mesh(data)
+    part.free()
     shape.from_mesh(data)
     bpy.data.meshes.remove(data)
 
