@@ -1,50 +1,41 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Every material of the library on its stage, and a page with pictures, swatches and numbers."""
+"""Every material of the library on its stage, and a page with large pictures, settings and recipes."""
 
 from __future__ import annotations
 
 import html
-from collections.abc import Sequence
+import re
+import shutil
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from .batch import Row, make_row
+from .core import manual
 from .core.library import Library
-from .core.looks import EVEN, picture_name, variants
-from .core.manifest import CompiledMaterial
-from .core.stack import read_stack
+from .core.looks import EVEN, even_name, picture_name, variants
+from .core.manifest import DIRECTIONS, CompiledMaterial, Socket
+from .core.probe import srgb
+from .core.stack import Layer, Stack, StackError, read_stack
+from .core.thickness import (
+    SOCKETS,
+    Input,
+    Value,
+    Varied,
+    read_varied,
+    socket_values,
+    source,
+)
 from .core.whole_file import write_whole
+from .core.words import synonyms
+from .gallery_page import Card, Line, Origin, Picture, Setting, page
 from .nodes.image import save_png
 
 _ANGLES_DEG = (0, 45, 70)
-_SWATCH = (64, 96)  # height, width of the table that it is drawn from
-
-_PAGE = """<!DOCTYPE html>
-<html lang="en">
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width">
-<title>Nacre: {count} materials</title>
-<style>
-body {{ font: 15px/1.45 system-ui, sans-serif; margin: 2rem auto; max-width: 1180px; padding: 0 1rem;
-  background: #17181a; color: #d8d9db }}
-h1, h2 {{ font-weight: 600 }} h2 {{ margin: 2.2rem 0 .8rem; color: #f0f0f0 }}
-.grid {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(260px, 1fr)); gap: 1rem }}
-article {{ background: #212327; border-radius: 8px; overflow: hidden }}
-article > img {{ width: 100%; display: block }}
-.text {{ padding: .7rem .9rem 1rem }}
-h3 {{ margin: 0 0 .2rem; font-size: 1rem }}
-p {{ margin: .3rem 0 }}
-.swatch {{ width: 100%; height: 64px; border-radius: 4px; image-rendering: auto }}
-.dots span {{ display: inline-block; width: 1.1em; height: 1.1em; border-radius: 50%;
-  vertical-align: -.2em; margin-right: .25em }}
-small, code {{ color: #a4a7ad; font-size: .8rem }}
-</style>
-<h1>Nacre: {count} materials</h1>
-<p>Strips: colour of the film alone over the angle, 0° on the left to 85°, and over what varies, upwards.
-Dots: at 0°, 45° and 70°, as the material comes. Colours outside sRGB are held to it.</p>
-{sections}
-</html>
-"""
+_SWATCH = (256, 96)  # height, width of the table that it is drawn from
+_MANUAL = "manual"  # the folder of the recipes, beside the page as beside the materials
+_UNITS = {"nm": " nm", "scale": " ×", "c": " °C", "k": " K", "m": " m", "s": " s"}
+_PORTRAYED = "bauble"  # what the stage portrait has for a material without an object of its own
 
 
 def rows(folder: Path, given: Sequence[str]) -> list[Row]:
@@ -53,6 +44,8 @@ def rows(folder: Path, given: Sequence[str]) -> list[Row]:
     is_varied = words & {"--vary", "--thickness-map"}
     made = []
     for variant in variants(Library.default().entries()).values():
+        if variant.is_even and is_varied:
+            continue  # the same picture again
         stage = [] if "--stage" in words else ["--stage", "portrait"]
         look = [] if variant.is_even or is_varied else ["--look"]
         arguments = ["--material", variant.entry.id, *stage, *look]
@@ -62,67 +55,237 @@ def rows(folder: Path, given: Sequence[str]) -> list[Row]:
 
 
 def write_page(folder: Path, shown: Sequence[Row]) -> Path:
+    """Beside the pictures of `shown` that are there."""
     library = Library.default()
-    sections: list[str] = []
-    category = None
-    for row in shown:
-        if not row.output.is_file() or row.where.endswith(EVEN):
-            continue
-        material = library.load(row.options.material)
-        if material.category != category:
-            category = material.category
-            sections.append(f"{'</div>' if sections else ''}<h2>{html.escape(category)}</h2>")
-            sections.append('<div class="grid">')
-        sections.append(_article(folder, material))
-    if sections:
-        sections.append("</div>")
-    page = folder / "index.html"
-    count = sum("<article" in text for text in sections)
-    write_whole(page, _PAGE.format(count=count, sections="\n".join(sections)))
-    return page
+    there = {row.where: row for row in shown if row.output.is_file()}
+    materials = [
+        library.load(row.options.material) for key, row in there.items() if not key.endswith(EVEN)
+    ]
+    recipes = _bring_recipes(folder, library)
+    cards = [
+        _card(folder, material, there, _recipes_of(material, recipes, materials))
+        for material in materials
+    ]
+    path = folder / "index.html"
+    links = [(address, title) for address, (title, _) in recipes.items()]
+    write_whole(path, page(cards, links, _ANGLES_DEG))
+    return path
 
 
-def _article(folder: Path, material: CompiledMaterial) -> str:
-    text = html.escape
-    lines = [f'<article><img src="{material.id}.png" alt="{text(material.name)}" loading="lazy">']
-    even = f"{picture_name(material.id + EVEN)}.png"
-    if (folder / even).is_file():
-        lines.append(f'<img class="even" src="{even}" alt="of one thickness" loading="lazy">')
-    lines.append(f'<div class="text"><h3>{text(material.name)}</h3>')
-    if material.kind == "film" and material.template:
-        lines += _film_lines(folder, material)
-    lines.append(f"<p>{text(material.description)}</p>")
-    lines.append(f"<p><code>{material.id}</code> <small>{material.status}</small></p>")
-    lines.append(f"<p><small>{text(material.source)}</small></p></div></article>")
-    return "\n".join(lines)
+# ---- Recipes -----------------------------------------------------------------------------------
 
 
-def _film_lines(folder: Path, material: CompiledMaterial) -> list[str]:
-    """Strip, dots and numbers; nothing where the Python package is not at hand."""
+def _bring_recipes(folder: Path, library: Library) -> dict[str, tuple[str, set[str]]]:
+    """Copies the manual: address of each recipe, its title and the names of the materials that it takes.
+    Nothing where no manual is at hand, as in a checkout whose extension was never packaged."""
+    places = (manual.FOLDER, library.root.parent / _MANUAL)
+    found = next((place for place in places if (place / "recipes.html").is_file()), None)
+    if found is None:
+        return {}
+    shutil.copytree(found, folder / _MANUAL, dirs_exist_ok=True)
+    text = (found / "recipes.html").read_text("utf-8")
+    parts = re.findall(r'<h2 id="([^"]+)">(.*?)</h2>(.*?)(?=<h2|\Z)', text, re.DOTALL)
+    return {
+        f"{_MANUAL}/recipes.html#{anchor}": (
+            html.unescape(title),
+            {html.unescape(name) for name in re.findall(r"<em>Assign (.+?)</em>", body)},
+        )
+        for anchor, title, body in parts
+    }
+
+
+def _recipes_of(
+    material: CompiledMaterial,
+    recipes: dict[str, tuple[str, set[str]]],
+    materials: Sequence[CompiledMaterial],
+) -> list[tuple[str, str]]:
+    """Its own; else that of a material like it, of which it goes the same way."""
+    own, kindred = [], []
+    for address, (title, names) in recipes.items():
+        if material.name in names:
+            own.append((address, f"Recipe in five steps: {title}"))
+        for other in materials:
+            if other.name in names and _is_kin(material, other):
+                kindred.append((address, f"Recipe in five steps, with {other.name}: {title}"))
+    return own or kindred
+
+
+def _is_kin(material: CompiledMaterial, other: CompiledMaterial) -> bool:
+    return material.category == other.category and not set(material.tags).isdisjoint(other.tags)
+
+
+# ---- What stands beside a picture --------------------------------------------------------------
+
+
+def _card(
+    folder: Path,
+    material: CompiledMaterial,
+    there: dict[str, Row],
+    recipes: Sequence[tuple[str, str]],
+) -> Card:
+    row, even = there[material.id], there.get(material.id + EVEN)
+    film = _film_stack(material)
+    picture, dots = _colours(folder, material, film) if film else (None, ())
+    origins = _origins(material, row)
+    entry = Library.default().entries()[material.id]
+    return Card(
+        id=material.id,
+        name=material.name,
+        category=material.category,
+        description=material.description,
+        picture=Picture(row.output.name, _where(material, row), row.options.size),
+        even=even and Picture(even.output.name, even_name(material.name), even.options.size),
+        swatch=picture,
+        dots=dots,
+        settings=[_setting(socket, bool(origins)) for socket in material.sockets],
+        origins=origins,
+        stack=list(_lines(film)) if film else (),
+        recipes=recipes,
+        facts=_facts(material),
+        words=(*material.tags, *synonyms(entry)),
+    )
+
+
+def _film_stack(material: CompiledMaterial) -> Stack | None:
+    if material.kind != "film" or not material.template:
+        return None
+    try:
+        return read_stack(material.template)
+    except StackError:  # of a later version
+        return None
+
+
+def _where(material: CompiledMaterial, row: Row) -> str:
+    """On what it is pictured, in the words of `--stage` and of looks."""
+    stage = row.options.stage
+    shown_on = (material.look.object or _PORTRAYED) if stage == "portrait" else f"stage {stage}"
+    return f"{material.name}, shown on: {shown_on.replace('_', ' ')}"
+
+
+def _origins(material: CompiledMaterial, row: Row) -> list[Origin]:
+    """What its thickness follows in the picture, the lowest first."""
+    if row.options.look:
+        return [_origin(read_varied(text), material) for text in material.look.thickness]
+    found = [_origin(varied, material) for varied in row.options.vary]
+    if row.options.thickness_map:
+        picture = source("map")
+        name = Path(row.options.thickness_map).name
+        found.insert(0, Origin(picture.name, picture.description, [("File", name)]))
+    return found
+
+
+def _setting(socket: Socket, is_varied: bool) -> Setting:
+    if socket.type in DIRECTIONS:
+        return Setting(socket.label, "of the surface", help=socket.description)
+    if socket.type == "color":
+        value = ", ".join(f"{channel:g}" for channel in socket.default)
+        return Setting(socket.label, value, help=socket.description, colour=_css(socket.default))
+    unit = "" if socket.unit == "1" else f" {socket.unit}"
+    span = f"{socket.minimum:g}–{socket.maximum:g}{unit}"
+    note = "where even" if is_varied and socket.name in SOCKETS else ""
+    return Setting(socket.label, f"{socket.default:g}{unit}", span, socket.description, note)
+
+
+def _css(linear: Sequence[float]) -> str:
+    return "#" + "".join(f"{round(255 * srgb(channel)):02x}" for channel in linear)
+
+
+def _origin(varied: Varied, material: CompiledMaterial) -> Origin:
+    socket = next((s for name in SOCKETS if (s := material.socket(name))), None)
+    values: dict[str, Value] = {}
+    if socket:
+        values = socket_values(varied, socket.name, (socket.minimum, socket.maximum))
+    unit = socket.name.removeprefix("thickness_") if socket else ""
+    inputs = {item.name: item for item in varied.source.inputs}
+    told = [(name, _told(value, inputs[name], unit)) for name, value in values.items()]
+    return Origin(varied.source.name, varied.source.description, told)
+
+
+def _told(value: Value, item: Input, thickness_unit: str) -> str:
+    if isinstance(value, tuple):
+        return ", ".join(f"{number:g}" for number in value)
+    return f"{value:g}{_UNITS.get(thickness_unit if item.is_thickness else item.unit, '')}"
+
+
+def _facts(material: CompiledMaterial) -> list[tuple[str, str]]:
+    licence = re.search(r"^# SPDX-License-Identifier: (\S+)$", material.template, re.MULTILINE)
+    facts = [
+        ("Found by", ", ".join(material.tags)),
+        ("Source", material.source),
+        ("Status", material.status),
+        ("Id", material.id),
+        ("Licence", licence.group(1) if licence else ""),
+        *(("Note", note) for note in material.notes),
+    ]
+    return [(name, value) for name, value in facts if value]
+
+
+# ---- Films -------------------------------------------------------------------------------------
+
+
+def _lines(stack: Stack) -> Iterator[Line]:
+    """From the light down; layers that repeat are told once."""
+    yield Line(_medium(stack.ambient), kind="bulk")
+    index = 0
+    while index < len(stack.layers):
+        length, times = _repeated(stack.layers, index)
+        if times > 1:
+            yield Line(f"{times} times these {length}:", kind="times")
+        for number in range(index, index + length):
+            yield _layer_line(stack, number)
+        if times > 1 and index + length * times < len(stack.layers):
+            yield Line("then:", kind="times")
+        index += length * times
+    yield Line(_medium(stack.substrate), kind="bulk")
+
+
+def _repeated(layers: Sequence[Layer], start: int) -> tuple[int, int]:
+    """How many layers from `start` on come again, and how often they are there: at least three times."""
+    for length in (1, 2, 3, 4):
+        first, times = layers[start : start + length], 1
+        while layers[start + times * length : start + (times + 1) * length] == first:
+            times += 1
+        if times >= 3:
+            return length, times
+    return 1, 1
+
+
+def _layer_line(stack: Stack, number: int) -> Line:
+    layer = stack.layers[number]
+    medium = _medium(layer.medium)
+    if number == stack.varying:
+        medium += " (the slider)"
+    if not layer.coherent:
+        medium += " (too thick to interfere)"
+    return Line(medium, f"{layer.thickness_nm:g} nm")
+
+
+def _medium(text: str) -> str:
+    """Of the optical constants, their name in the library; of a number, what it is."""
+    return f"index {text}" if text[:1].isdigit() else text
+
+
+def _colours(
+    folder: Path, material: CompiledMaterial, stack: Stack
+) -> tuple[Picture | None, Sequence[tuple[float, str]]]:
+    """Strip and dots; nothing where the Python package is not at hand."""
     try:
         import nacre
     except ImportError:
-        return []
-    from .core import plot
+        return None, ()
+    from .core.plot import swatch  # not in Blenders without numpy, which nacre needs too
 
-    stack = read_stack(material.template)
     varies = stack.varying is not None or stack.has_scale
     height, width = _SWATCH if varies else (1, _SWATCH[1])
     light = material.conditions._asdict()
     table = nacre.preview_tables(material.template, {"R": (height, width)}, **light)["R"]
     name = f"{material.id}_swatch.png"
-    save_png(folder / name, plot.swatch(table))
+    save_png(folder / name, swatch(table))
     socket = material.socket("thickness_nm") or material.socket("thickness_scale")
     value = socket.default if socket else 1.0
     dots = []
     for angle in _ANGLES_DEG:
         rgb = nacre.template_spectrum(material.template, value, angle, **light).colours[0]
-        code = "#" + "".join(f"{round(255 * channel):02x}" for channel in plot.encode(rgb))
-        dots.append(f'<span style="background:{code}" title="{angle}°: {code}"></span>')
-    said = [f"{len(stack.layers)} layer{'s' * (len(stack.layers) != 1)}"]
-    if socket:
-        unit = "" if socket.unit == "1" else f" {socket.unit}"
-        said.append(f"{socket.minimum:g}–{socket.maximum:g}{unit}")
-    lines = [f'<img class="swatch" src="{name}" alt="colours over the angle">']
-    lines.append(f'<p class="dots">{"".join(dots)} <small>{", ".join(said)}</small></p>')
-    return lines
+        dots.append((angle, _css(rgb)))
+    over = "angle and thickness" if varies else "the angle"
+    return Picture(name, f"Colours over {over}"), dots

@@ -181,6 +181,7 @@ def test_gallery_shows_every_material(blender45, tmp_path):
         "Johnson",
     ):
         assert text in page
+    assert "recipes.html" not in page  # no manual is at hand
     assert {path.name for path in folder.glob("*.png")} == {
         "tempered_steel.png", "tempered_steel.even.png", "tempered_steel_swatch.png", "water.png",
     }  # fmt: skip
