@@ -20,6 +20,7 @@ from .core.stack import Layer, Stack, StackError, read_stack
 from .core.thickness import (
     SOCKETS,
     Input,
+    ThicknessError,
     Value,
     Varied,
     read_varied,
@@ -165,7 +166,10 @@ def _where(material: CompiledMaterial, row: Row) -> str:
 def _origins(material: CompiledMaterial, row: Row) -> list[Origin]:
     """What its thickness follows in the picture, the lowest first."""
     if row.options.look:
-        return [_origin(read_varied(text), material) for text in material.look.thickness]
+        try:
+            return [_origin(read_varied(text), material) for text in material.look.thickness]
+        except ThicknessError:  # of a later version; the picture is an earlier one's
+            return []
     found = [_origin(varied, material) for varied in row.options.vary]
     if row.options.thickness_map:
         picture = source("map")
