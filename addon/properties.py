@@ -67,11 +67,15 @@ def _on_edit(self, _context) -> None:
 
 
 def _medium_edit(attribute: str):
-    """For `update`: what the search offered is cut down to the key."""
+    """For `update`: what the search offered is cut down to the key, and a name becomes its key."""
 
     def edited(self, context) -> None:
-        key, offered, _ = getattr(self, attribute).partition(_NAME_OF)
-        if offered:
+        text = getattr(self, attribute)
+        if self.id_data.session_uid in _filling:
+            return
+        key, offered, _ = text.partition(_NAME_OF)
+        key = key if offered else stacks.meant(text)
+        if key != text:
             setattr(self, attribute, key)  # which comes here again
         else:
             _on_edit(self, context)
@@ -218,6 +222,7 @@ class NACRE_PG_scene(bpy.types.PropertyGroup):
 _found: list[tuple[str, str, str, int, int]] = []
 _found_for: list[object] = [None, ""]  # the entries and the search
 _looked_at = [0.0]
+_SHOWN_FIRST = "tempered_steel"  # as long as nothing was chosen
 _LOOK_AGAIN = 0.5  # seconds
 
 
@@ -231,18 +236,30 @@ def _choices(self, _context):
     if _found_for[0] is not entries or _found_for[1] != self.search:
         _found_for[:] = entries, self.search
         _found[:] = [
-            (item.key, item.name, item.entry.description, thumbnails.icon(item.key), number)
+            (item.key, item.label, item.entry.description, thumbnails.icon(item.key), number)
             for number, item in enumerate(variants(entries).values())
             if finds(item.entry, self.search)
         ]
     return _found
 
 
-def _on_search(self, context) -> None:
-    """The first that is found, unless what was chosen is found, too."""
-    found = [item[0] for item in _choices(self, context)]
-    if found and self.choice not in found:
-        self.choice = found[0]
+def _choice(self) -> int:
+    """The one that was chosen, or the first that is found while that is not among them. Read without a
+    value of its own: Blender warns of one that is not offered."""
+    numbers = [item[4] for item in _choices(self, None)]
+    if self.number in numbers or not numbers:
+        return self.number
+    first = [item[4] for item in _found if item[0] == _SHOWN_FIRST]
+    return (first or numbers)[0]
+
+
+def _choose(self, number: int) -> None:
+    self.number = number
+
+
+def _on_search(self, _context) -> None:
+    if self.finds_any():
+        self.number = _choice(self)
 
 
 class NACRE_PG_browser(bpy.types.PropertyGroup):
@@ -254,9 +271,24 @@ class NACRE_PG_browser(bpy.types.PropertyGroup):
         options={"TEXTEDIT_UPDATE"},
         update=_on_search,
     )
-    choice: EnumProperty(name="Material", description="Which material", items=_choices)
+    number: IntProperty(
+        name="Number", description="Of the material that was chosen, among all", default=-1
+    )
+    choice: EnumProperty(
+        name="Material",
+        description="Which material",
+        items=_choices,
+        get=_choice,
+        set=_choose,
+    )
     recent: StringProperty(name="Recent", description="Assigned last, the last one first")
     favourites: StringProperty(name="Favourites", description="In the order in which they came")
+    shows_fine: BoolProperty(
+        name="More", description="Show what is seldom changed, too", default=False
+    )
+
+    def finds_any(self) -> bool:
+        return bool(_choices(self, None))
 
 
 class NACRE_PG_probe(bpy.types.PropertyGroup):

@@ -38,7 +38,9 @@ from .operators import (
 from .operators import variations as variation_operators
 from .ui import (
     browser,
+    drops,
     looks_panel,
+    menus,
     panels,
     preferences,
     stack_panel,
@@ -67,6 +69,8 @@ _CLASSES = (
     *stack_panel.CLASSES,
     *variations_panel.CLASSES,
     *looks_panel.CLASSES,
+    *menus.CLASSES,
+    *drops.CLASSES,
     *viewer_panel.CLASSES,
 )
 
@@ -87,7 +91,7 @@ def register() -> None:
     asset_build.register()
     thumbnails.register()
     my_looks.register()
-    panels.add_to_menus()
+    menus.add_to_menus()
     bpy.utils.register_manual_map(manual.manual_map)
     if asset_library.is_built(asset_library.default_folder()):
         asset_library.show(asset_library.default_folder())
@@ -98,7 +102,7 @@ def unregister() -> None:
     while _commands:
         bpy.utils.unregister_cli_command(_commands.pop())
     bpy.utils.unregister_manual_map(manual.manual_map)
-    panels.remove_from_menus()
+    menus.remove_from_menus()
     asset_build.unregister()
     asset_libraries.remove(asset_library.default_folder())
     limits.unregister()

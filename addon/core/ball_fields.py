@@ -11,7 +11,7 @@ from functools import lru_cache
 import numpy as np
 
 from .ball import smooth_step
-from .thickness import ON, STRENGTH, ZERO_CELSIUS, Source
+from .thickness import ON, STRENGTH, UPON, ZERO_CELSIUS, Source
 
 Values = Mapping[str, float | Sequence[float]]
 _WAVES = 7  # for each octave
@@ -74,11 +74,12 @@ def _faces(values: Values, _below, _place):
     return values["Faces"]
 
 
-def _heat(values: Values, _below, place: np.ndarray):
+def _heat(values: Values, below, place: np.ndarray):
     fallen = np.exp(-_away(values, place))
     kelvin = _mix(values, "Coldest", "Hottest", fallen) + ZERO_CELSIUS
     slower = 1.0 / (values["At"] + ZERO_CELSIUS) - 1.0 / kelvin
-    return values["Grown"] * np.exp(values["Growth"] * slower)
+    own = values["Grown"] * np.exp(values["Growth"] * slower)
+    return np.hypot(own, below) if values.get(UPON) else own
 
 
 def _drop(values: Values, below, place: np.ndarray):

@@ -69,6 +69,13 @@ def _of(tint: tuple[float, float, float], power: float) -> tuple[float, float, f
     return tuple(power * channel for channel in tint)
 
 
+def _cards(power: float) -> tuple[Softbox, ...]:
+    """Two dim cards below the horizon, where upright faces that the default camera looks down on mirror
+    what would be dark floor; out of its own sight, so that clear films keep a dark ground."""
+    tint = _of(_WHITE, power)
+    return tuple(Softbox(azimuth, -30.0, (0.5, 0.6), tint, edge=0.6) for azimuth in (42.0, -138.0))
+
+
 ROOMS = {
     "STUDIO": Room(
         nadir=0.12,
@@ -78,6 +85,7 @@ ROOMS = {
             Softbox(-42.0, 78.0, (0.9, 0.6), _of(_WHITE, 7.0), edge=0.25, falloff=0.35),
             Softbox(-125.0, 18.0, (0.16, 0.9), _of(_COOL, 6.0), edge=0.2, falloff=0.2),
             Softbox(40.0, 18.0, (0.16, 0.9), _of(_WARM, 6.0), edge=0.2, falloff=0.2),
+            *_cards(0.9),
         ),
     ),
     "SOFTBOXES": Room(
@@ -88,6 +96,7 @@ ROOMS = {
             Softbox(-95.0, 40.0, (0.5, 0.5), _of(_WHITE, 9.0), falloff=0.3),
             Softbox(15.0, 25.0, (0.25, 0.7), _of(_WARM, 7.0), falloff=0.2),
             Softbox(150.0, 35.0, (0.6, 0.4), _of(_COOL, 6.0), falloff=0.2),
+            *_cards(0.5),
         ),
     ),
     "WINDOW": Room(
@@ -97,6 +106,7 @@ ROOMS = {
         softboxes=(
             Softbox(-100.0, 28.0, (0.42, 0.6), _of(_COOL, 9.0), (2, 3), 0.015, 0.15),
             Softbox(60.0, 24.0, (0.2, 0.3), _of(_WARM, 3.0), (2, 2), 0.02, 0.15),
+            *_cards(0.5),
         ),
     ),
 }

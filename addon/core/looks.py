@@ -49,6 +49,11 @@ class Variant:
     entry: Entry
     is_even: bool
 
+    @property
+    def label(self) -> str:
+        """Under a picture, where long names are cut off at the end."""
+        return f"Even {self.entry.name}" if self.is_even else self.name
+
 
 def variants(entries: Mapping[str, Entry]) -> dict[str, Variant]:
     """By key, in the order of the entries; the even ones follow those that vary."""

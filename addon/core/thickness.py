@@ -19,7 +19,8 @@ class Input:
 
     `share` is where in the range from the least to the largest thickness the default lies; `value`
     is the default of everything else. What is `added` to a thickness may be 0 and the whole range.
-    A thickness that `follows` starts as the one that the material had.
+    A thickness that `follows` starts as the one that the material had. What is `fine` is seldom
+    changed, and folded away.
     """
 
     name: str
@@ -31,6 +32,7 @@ class Input:
     unit: str = ""
     added: bool = False
     follows: bool = False
+    fine: bool = False
 
     @property
     def is_thickness(self) -> bool:
@@ -54,6 +56,9 @@ class Input:
 BELOW, STRENGTH, ON = "Thickness", "Strength", "On"
 """Inputs that every source has: what lies below it in the stack, how much of it is seen, and whether."""
 
+UPON = "Grows Upon Below"
+"""Switch of heat that lies upon other heat: the oxide that is there grows on."""
+
 _BELOW = Input(BELOW, "What lies below this source", share=0.4, follows=True)
 _ALWAYS = (
     Input(STRENGTH, "0: only what lies below, 1: only this source", value=1.0, maximum=1.0),
@@ -72,6 +77,7 @@ class Source:
     own: tuple[Input, ...]
     coordinates: str | None = None
     below: str = BELOW
+    group: str = ""  # heading in menus; the one before where there is none
 
     @property
     def inputs(self) -> tuple[Input, ...]:
@@ -85,6 +91,10 @@ class Source:
         return self.below != BELOW or not any(
             item.is_thickness and not item.added for item in self.own
         )
+
+    @property
+    def is_heat(self) -> bool:
+        return any(item.name == UPON for item in self.own)
 
     @property
     def stands_alone(self) -> bool:
@@ -101,11 +111,16 @@ _LARGEST = Input("Maximum", "Thickness where the value is 1", share=1.0)
 _BETWEEN = (Input("Value", "0: minimum, 1: maximum", value=0.5, maximum=1.0), _LEAST, _LARGEST)
 _NEAR = Input("Near", "Thickness at the start", share=0.0)
 _FAR = Input("Far", "Thickness at the end", share=1.0)
-_START = Input("Start", "Where it starts, in the object's box: 0 to 1", value=(0.0, 0.5, 0.5))
+
+
+def _start(x: float) -> Input:
+    return Input(
+        "Start", "Where it starts, in the object's box: 0 to 1", value=(x, 0.5, 0.5), fine=True
+    )
 
 
 def _axes(values: tuple[float, float, float]) -> Input:
-    return Input("Axes", "How much each axis counts; 0 leaves it out", value=values)
+    return Input("Axes", "How much each axis counts; 0 leaves it out", value=values, fine=True)
 
 
 ZERO_CELSIUS = 273.15  # in K
@@ -115,20 +130,37 @@ ZERO_CELSIUS = 273.15  # in K
 # and the thicknesses of magnetite that have these colours (10 to 48 nm) is within 3 nm of all.
 GROWTH_KELVIN = 5800.0
 
-_GROWTH = (
-    Input("Hottest", "Temperature at the source, in °C", value=330.0, maximum=3000.0, unit="c"),
-    Input("Coldest", "Temperature far from it, in °C", value=20.0, maximum=3000.0, unit="c"),
-    Input("Reach", "Distance over which the heat falls to a third", value=0.8, minimum=1e-4),
-    Input("Grown", "Thickness that grows at the next temperature", share=0.5, follows=True),
-    Input("At", "Temperature at which that thickness grows, in °C", value=280.0, unit="c"),
-    Input(
-        "Growth",
-        "How steeply the oxide grows with temperature, in K; 5800 fits the colours of carbon steel",
-        value=GROWTH_KELVIN,
-        minimum=1.0,
-        unit="k",
-    ),
-)
+
+def _growth(reach: float) -> tuple[Input, ...]:
+    return (
+        Input("Hottest", "Temperature at the source, in °C", value=330.0, maximum=3000.0, unit="c"),
+        Input("Coldest", "Temperature far from it, in °C", value=20.0, maximum=3000.0, unit="c"),
+        Input("Reach", "Distance over which the heat falls to a third", value=reach, minimum=1e-4),
+        Input(
+            "Grown",
+            "Thickness that grows at the next temperature",
+            share=0.5,
+            follows=True,
+            fine=True,
+        ),
+        Input(
+            "At",
+            "Temperature at which that thickness grows, in °C",
+            value=280.0,
+            unit="c",
+            fine=True,
+        ),
+        Input(
+            "Growth",
+            "How steeply the oxide grows with temperature, in K; 5800 fits the colours of carbon steel",
+            value=GROWTH_KELVIN,
+            minimum=1.0,
+            unit="k",
+            fine=True,
+        ),
+        Input(UPON, "Lets the oxide below grow on, instead of lying on it", value=False),
+    )
+
 
 SOURCES = (
     Source(
@@ -137,6 +169,7 @@ SOURCES = (
         "A picture or any other texture from 0 to 1, as a thickness from minimum to maximum",
         _BETWEEN,
         "UV",
+        group="Painted",
     ),
     Source(
         "attribute",
@@ -156,6 +189,7 @@ SOURCES = (
             _VECTOR,
         ),
         "Object",
+        group="Patterns",
     ),
     Source(
         "gradient",
@@ -164,7 +198,7 @@ SOURCES = (
         (
             _NEAR,
             _FAR,
-            _START,
+            _start(0.0),
             _axes((1.0, 0.0, 0.0)),
             Input("Reach", "How far it goes; 1 is the whole object", value=1.0, minimum=1e-4),
             _VECTOR,
@@ -210,21 +244,24 @@ SOURCES = (
         "temperature",
         "Heat over the Object",
         "Temper colours of an object that was heated at one end",
-        (*_GROWTH, _START, _axes((1.0, 0.15, 0.15)), _VECTOR),
+        # The end that the default camera sees.
+        (*_growth(0.8), _start(1.0), _axes((1.0, 0.15, 0.15)), _VECTOR),
         "Generated",
+        group="Heat",
     ),
     Source(
         "heat_point",
         "Heat from a Point",
         "Temper colours around an empty that can be moved, as around a torch",
-        (*_GROWTH, _VECTOR),
+        # At the empty's ring the steel has its first colour.
+        (*_growth(2.2), _VECTOR),
         POINT,
     ),
     Source(
         "heat_curve",
         "Heat along a Curve",
         "Temper colours along a curve, as beside a weld",
-        (*_GROWTH, _VECTOR),
+        (*_growth(0.8), _VECTOR),
         CURVE,
     ),
     Source(
@@ -240,6 +277,7 @@ SOURCES = (
         ),
         "UV",
         below="Base",
+        group="Liquid Films",
     ),
     Source(
         "drainage",
@@ -279,6 +317,7 @@ SOURCES = (
         "Unevenness too fine to be seen: each sample draws a thickness, so that fringes fade as they "
         "do where the thickness varies within a pixel",
         (Input("Spread", "Standard deviation of the thickness", share=0.02, added=True),),
+        group="Others",
     ),
     Source(
         "attribute_nm",

@@ -16,9 +16,9 @@ import bpy
 from ..asset_job import PROGRESS
 from . import assets
 from .settings import preferences
+from .windows import redraw_panels
 
 _WAIT, _POLL = 2.0, 0.25  # seconds: after the start, and between looks
-_AREAS = ("VIEW_3D", "PREFERENCES", "PROPERTIES")  # that show how far it is
 
 
 @dataclass
@@ -81,7 +81,7 @@ def look() -> float | None:
         return None
     job = _jobs[0]
     status = job.process.poll()
-    _redraw()
+    redraw_panels()
     if status is None:
         return _POLL
     _jobs.clear()
@@ -106,13 +106,6 @@ def result() -> str:
 
 def dismiss() -> None:
     _results.clear()
-
-
-def _redraw() -> None:
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type in _AREAS:
-                area.tag_redraw()
 
 
 def _begin_if_wanted() -> None:

@@ -43,10 +43,14 @@ def describe(material: bpy.types.Material) -> None:
         return
     item = interface_item(socket)
     low, high = thickness_range(socket)
-    unit = " nm" if high > 10.0 else ""  # or factors
-    said = f"{low:g}–{high:g}{unit}"
+    said = f"{low:g}–{high:g}{unit(socket)}"
     names = colour_names.along(*along(material, low, high, _FINE))
     item.description = f"{said}: {names}" if names else said
+
+
+def unit(socket: bpy.types.NodeSocket) -> str:
+    """What follows a number of the socket: nothing after a factor."""
+    return " nm" if thickness_range(socket)[1] > 10.0 else ""
 
 
 Colours = tuple[tuple[float, ...], ...]  # linear Rec.709

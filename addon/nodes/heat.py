@@ -35,6 +35,25 @@ def modifier_of(obj: bpy.types.Object) -> bpy.types.Modifier | None:
     return next((item for item in found if _GROUP in item.node_group), None)
 
 
+def curve_of(obj: bpy.types.Object) -> bpy.types.Object | None:
+    modifier = modifier_of(obj)
+    if modifier is None:
+        return None
+    holder, name = curve_property(modifier)
+    return (
+        modifier.get(_identifier(modifier.node_group))
+        if holder == modifier
+        else getattr(holder, name)
+    )
+
+
+def release(objects: Iterable[bpy.types.Object]) -> None:
+    """Takes the modifier away."""
+    for obj in objects:
+        if modifier_of(obj) is not None:
+            obj.modifiers.remove(modifier_of(obj))
+
+
 def curve_property(modifier: bpy.types.Modifier) -> tuple[bpy.types.bpy_struct, str]:
     """What holds the modifier's curve, and its path from there, for panels."""
     identifier = _identifier(modifier.node_group)

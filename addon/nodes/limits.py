@@ -12,13 +12,27 @@ from . import group as groups
 from .material import belongs_here, group_node
 from .thickness import sources_of, spec_of, thickness_range, thickness_socket
 
+_held: dict[int, dict[str, str]] = {}  # by material's session_uid: socket's path, what was done
+
 
 def hold(material: bpy.types.Material) -> None:
     """Every number of the material's group, and of the sources of its thickness."""
+    said = _held.setdefault(material.session_uid, {})
     for socket, low, high in _limits(material):
         value = socket.default_value
-        if not low <= value <= high:  # also what is no number
-            socket.default_value = high if value > high else low
+        path = socket.path_from_id()
+        if low <= value <= high:
+            if value not in (low, high):
+                said.pop(path, None)
+            continue
+        socket.default_value = high if value > high else low  # also what is no number
+        most = "most" if value > high else "least"
+        said[path] = f"{socket.name}: {socket.default_value:g} is the {most} that makes sense here"
+
+
+def held(material: bpy.types.Material) -> list[str]:
+    """What was typed and held, until it is changed again."""
+    return list(_held.get(material.session_uid, {}).values())
 
 
 def _limits(material: bpy.types.Material):
@@ -61,3 +75,4 @@ def register() -> None:
 
 def unregister() -> None:
     bpy.app.handlers.depsgraph_update_post.remove(_after_change)
+    _held.clear()

@@ -16,6 +16,7 @@ from ..core.manifest import ManifestError
 from ..core.stack import StackError
 from . import stack
 from .material import belongs_here
+from .windows import redraw_panels
 
 WAIT = 0.4  # seconds without an edit
 _POLL = 0.1
@@ -23,6 +24,7 @@ _POLL = 0.1
 _edited_at: dict[int, float] = {}  # material's session_uid
 _problems: dict[int, str] = {}
 _jobs: list[_Compilation] = []  # one at most
+_took = [1.5]  # seconds, the last one
 
 
 class _Compilation(threading.Thread):
@@ -31,6 +33,7 @@ class _Compilation(threading.Thread):
         self.uid = material.session_uid
         self.recipe = stack.recipe(material)
         self.material_name = material.name
+        self.began = time.monotonic()
         self.made = None
         self.problem = ""
 
@@ -83,8 +86,13 @@ def problem(material: bpy.types.Material) -> str:
     return _problems.get(material.session_uid, "")
 
 
-def is_busy(material: bpy.types.Material) -> bool:
-    return material.session_uid in _edited_at
+def progress(material: bpy.types.Material) -> float | None:
+    """How far the compilation that is due or under way is, by what the last one took; None: there is
+    none."""
+    if material.session_uid not in _edited_at:
+        return None
+    began = next((job.began for job in _jobs if job.uid == material.session_uid), None)
+    return 0.0 if began is None else min((time.monotonic() - began) / _took[0], 0.95)
 
 
 def finish_all() -> None:
@@ -103,7 +111,9 @@ def finish_all() -> None:
 def _tick() -> float | None:
     if _jobs:
         if _jobs[0].is_alive():
+            redraw_panels()
             return _POLL
+        _took[0] = max(time.monotonic() - _jobs[0].began, _POLL)
         _take(_jobs.pop())
     due = time.monotonic() - WAIT
     materials = _by_uid(_edited_at)
@@ -114,6 +124,7 @@ def _tick() -> float | None:
         elif edited <= due:
             _jobs.append(_Compilation(material))
             _jobs[0].start()
+            redraw_panels()
             break
     return _POLL if _edited_at else None
 
@@ -130,9 +141,7 @@ def _take(done: _Compilation) -> None:
         _problems[done.uid] = done.problem
         return
     stack.apply(material, done.made, done.recipe)
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            area.tag_redraw()
+    redraw_panels(with_views=True)
 
 
 def _by_uid(wanted: Container[int]) -> dict[int, bpy.types.Material]:

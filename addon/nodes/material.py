@@ -102,11 +102,6 @@ def group_node(material: bpy.types.Material | None) -> bpy.types.ShaderNodeGroup
     return None
 
 
-def active_material(context) -> bpy.types.Material | None:
-    """Of the active object."""
-    return context.object.active_material if context.object else None
-
-
 def belongs_here(material: bpy.types.Material) -> bool:
     """Whether this file keeps what is changed: neither linked nor a library override, whose stack and
     values Blender takes from the library again when the file is opened."""

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import contextlib
+
 import bpy
 
 from ..core.probe import srgb
@@ -19,9 +21,11 @@ def layer_of(obj: bpy.types.Object) -> str:
     return LAYER
 
 
-def begin(context, attribute: bpy.types.ShaderNodeAttribute, value: float | None) -> None:
-    """Into vertex paint, on the attribute that the node reads, with a brush of a value from 0 to 1."""
-    obj = context.object
+def begin(
+    context, obj: bpy.types.Object, attribute: bpy.types.ShaderNodeAttribute, value: float | None
+) -> str:
+    """Into vertex paint, on the attribute that the node reads, with a brush of a value from 0 to 1.
+    Returns what the user has to do about it, if anything."""
     if obj.type != "MESH":
         raise OutputError(f"{obj.name} is no mesh: only meshes can be painted")
     attribute.attribute_name = attribute.attribute_name or LAYER
@@ -30,10 +34,35 @@ def begin(context, attribute: bpy.types.ShaderNodeAttribute, value: float | None
             f"The attribute {attribute.attribute_name!r} of {obj.name} is no colour: "
             "it cannot be painted"
         )
-    if obj.mode != "VERTEX_PAINT":
+    if not is_on(obj):
+        context.view_layer.objects.active = obj
         bpy.ops.object.mode_set(mode="VERTEX_PAINT")
+    if context.tool_settings.vertex_paint.brush is None:
+        _make_brush()
     if value is not None:
         _load_brush(context, value)
+    if context.tool_settings.vertex_paint.brush is None:
+        return "This Blender came without brushes: choose or make one in its tool settings"
+    return ""
+
+
+def is_on(obj: bpy.types.Object | None) -> bool:
+    return obj is not None and obj.mode == "VERTEX_PAINT"
+
+
+def places(obj: bpy.types.Object) -> int | None:
+    """How many colours the object's mesh holds to paint with; None of what is no mesh."""
+    return len(obj.data.vertices) if obj.type == "MESH" else None
+
+
+def _make_brush() -> None:
+    """One of this file, where Blender's own are not installed, as distributions leave them out."""
+    brush = bpy.data.brushes.get(LAYER) or bpy.data.brushes.new(LAYER, mode="VERTEX_PAINT")
+    brush.asset_mark()
+    with contextlib.suppress(RuntimeError):  # it says in the console what it lacks
+        bpy.ops.brush.asset_activate(
+            asset_library_type="LOCAL", relative_asset_identifier=f"Brush/{brush.name}"
+        )
 
 
 def _activate(obj: bpy.types.Object, name: str) -> bool:

@@ -17,6 +17,7 @@ from functools import lru_cache, partial
 
 import bpy
 
+from ..core import media as keys
 from ..core.library import Library
 from ..core.light import USUAL, Conditions, conditions_problem
 from ..core.manifest import CompiledMaterial, ManifestError, from_memory
@@ -79,6 +80,16 @@ def _name_of(key: str) -> str:
         return nacre.library.medium(key).name
     except nacre.NacreError:  # a file of the user's own that cannot be read; choosing it says why
         return ""
+
+
+def meant(text: str) -> str:
+    """The key that was meant by a name, as typed: `copper`, `Water`, `cu`, `fe/johnson`; the text itself
+    where it is something else, or could mean several things."""
+    try:
+        medium = parse_medium(text)
+    except StackError:
+        return text
+    return keys.meant(medium["medium"], media()) if "medium" in medium else text
 
 
 def medium_name(text: str) -> str:

@@ -12,9 +12,12 @@ import bpy
 from ..core.thickness import (
     BELOW,
     CURVE,
+    ON,
     POINT,
     POSITION,
     SOCKETS,
+    STRENGTH,
+    UPON,
     Source,
     default_thickness,
     source,
@@ -23,6 +26,9 @@ from . import heat
 from .image import hold_as_data
 from .material import group_node, input_socket, interface_item
 from .thickness_groups import SOURCE, source_group
+
+MADE_HERE = "nacre_followed"
+"""Custom property of objects that were made for a source to follow, and go with it."""
 
 _FEEDS = ("TEX_COORD", "NEW_GEOMETRY", "ATTRIBUTE", "TEX_IMAGE", "VALTORGB")
 """Types of the nodes that come with a source."""
@@ -73,9 +79,11 @@ def below(node: bpy.types.ShaderNodeGroup) -> bpy.types.NodeSocket | None:
 def add_source(
     material: bpy.types.Material, source_id: str, around: bpy.types.Object | None = None
 ) -> bpy.types.ShaderNodeGroup:
-    """Puts a source upon those that there are. `around`: the object of a source that follows one."""
+    """Puts a source upon those that there are, so that they can be seen: heat adds to heat, and what
+    would cover them starts at half its strength. `around`: the object of a source that follows one."""
     socket = thickness_socket(material)
     spec = source(source_id)
+    under = sources_of(material)
     tree = material.node_tree
     node = tree.nodes.new("ShaderNodeGroup")
     node.node_tree = source_group(spec)
@@ -83,9 +91,28 @@ def add_source(
     node.width = 180.0
     _set_defaults(node, spec, thickness_range(socket), socket.default_value)
     _feed_vector(node, spec, around)
-    _connect(material, [node, *sources_of(material)])
+    if under and spec.is_heat and spec_of(under[0]).is_heat:
+        node.inputs[UPON].default_value = True
+    elif under and spec.stands_alone and not spec.changes_what_is_below:
+        node.inputs[STRENGTH].default_value = 0.5
+    _connect(material, [node, *under])
     _lay_out(material)
     return node
+
+
+def covered(nodes: Sequence[bpy.types.ShaderNodeGroup]) -> set[int]:
+    """Which sources of a stack, the uppermost first, nothing is seen of."""
+    lid = next((index for index, node in enumerate(nodes) if _covers(node)), len(nodes))
+    return set(range(lid + 1, len(nodes)))
+
+
+def _covers(node: bpy.types.ShaderNodeGroup) -> bool:
+    """As far as constants tell."""
+    if spec_of(node).changes_what_is_below or below(node) is None:
+        return False
+    wanted = ((STRENGTH, 1.0), (ON, True), (UPON, False))
+    found = [(node.inputs[name], value) for name, value in wanted if name in node.inputs]
+    return all(not socket.is_linked and socket.default_value == value for socket, value in found)
 
 
 def move_source(material: bpy.types.Material, node: bpy.types.ShaderNodeGroup, places: int) -> bool:
@@ -103,16 +130,56 @@ def move_source(material: bpy.types.Material, node: bpy.types.ShaderNodeGroup, p
 
 
 def remove_source(material: bpy.types.Material, node: bpy.types.ShaderNodeGroup) -> None:
-    """The others stay; nodes that fed this one alone go with it."""
+    """The others stay; nodes that fed this one alone go with it, and so does an object that was made
+    for it."""
     _connect(material, [other for other in sources_of(material) if other != node])
     _remove_with_feeds(material.node_tree, node)
     _lay_out(material)
+    remove_unfollowed()
 
 
 def remove_sources(material: bpy.types.Material) -> None:
     """Back to one thickness."""
     for node in sources_of(material):
         remove_source(material, node)
+
+
+def remove_unfollowed() -> None:
+    """What was made for sources that are gone, or whose material nothing has any more: empties, curves
+    and the modifiers that measure from them."""
+    following = set(filter(_follows_curve, bpy.data.materials))
+    heat.release(
+        obj
+        for obj in bpy.data.objects
+        if obj.is_editable and not any(slot.material in following for slot in obj.material_slots)
+    )
+    for obj in [obj for obj in bpy.data.objects if MADE_HERE in obj and obj.is_editable]:
+        if not followers(obj) and not any(
+            heat.curve_of(other) == obj for other in bpy.data.objects
+        ):
+            data = obj.data
+            bpy.data.objects.remove(obj)
+            if data is not None and data.users == 0:
+                bpy.data.curves.remove(data)
+
+
+def _follows_curve(material: bpy.types.Material) -> bool:
+    return any(spec_of(node).coordinates == CURVE for node in sources_of(material))
+
+
+def followed(node: bpy.types.ShaderNodeGroup) -> bpy.types.Object | None:
+    """The object around which a source lies."""
+    coordinates = feed_of(node, "TEX_COORD", "Vector")
+    return None if coordinates is None else coordinates.object
+
+
+def followers(obj: bpy.types.Object) -> list[bpy.types.Material]:
+    """Materials in use with a source that lies around an object."""
+    return [
+        material
+        for material in bpy.data.materials
+        if material.users and any(followed(node) == obj for node in sources_of(material))
+    ]
 
 
 def _connect(material: bpy.types.Material, nodes: Sequence[bpy.types.ShaderNodeGroup]) -> None:
@@ -129,6 +196,8 @@ def _connect(material: bpy.types.Material, nodes: Sequence[bpy.types.ShaderNodeG
     for node in nodes:
         tree.links.new(node.outputs[0], socket)
         socket = below(node)
+    if nodes and UPON in nodes[-1].inputs:
+        nodes[-1].inputs[UPON].default_value = False  # there is nothing to grow upon
     if foreign is not None and socket is not None:
         tree.links.new(foreign, socket)
 

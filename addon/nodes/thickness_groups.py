@@ -9,13 +9,13 @@ from collections.abc import Callable
 
 import bpy
 
-from ..core.thickness import BELOW, ON, STRENGTH, ZERO_CELSIUS, Input, Source
+from ..core.thickness import BELOW, ON, STRENGTH, UPON, ZERO_CELSIUS, Input, Source
 from .formula import Formula
 
 SOURCE, FORM = "nacre_thickness_source", "nacre_thickness_form"
 """Custom properties of the groups: the id of the source, and which form of its sockets it has."""
 
-FORM_NOW = 2  # 1: no layer below, no strength
+FORM_NOW = 3  # 1: no layer below, no strength; 2: heat covers heat
 
 Inputs = dict[str, bpy.types.NodeSocket]
 
@@ -50,6 +50,8 @@ def _add_input(group: bpy.types.ShaderNodeTree, item: Input) -> None:
     socket.description = item.description
     socket.default_value = item.value
     socket.hide_value = item.name == "Vector"
+    if is_vector:
+        socket.subtype = "XYZ"
     if kind == "Float":
         socket.min_value, socket.max_value = item.minimum, item.maximum
         if (item.minimum, item.maximum) == (0.0, 1.0):
@@ -116,7 +118,11 @@ def _heat(formula: Formula, at: Inputs) -> bpy.types.NodeSocket:
         "SUBTRACT", formula.number("DIVIDE", 1.0, reference), formula.number("DIVIDE", 1.0, kelvin)
     )
     grown = formula.number("EXPONENT", formula.number("MULTIPLY", at["Growth"], slower))
-    return formula.number("MULTIPLY", at["Grown"], grown)
+    own = formula.number("MULTIPLY", at["Grown"], grown)
+    # An oxide grows as √t: of one heating after another the squares add up.
+    before = formula.number("MULTIPLY", at[BELOW], at[UPON])
+    squares = formula.number("MULTIPLY_ADD", before, before, formula.number("MULTIPLY", own, own))
+    return formula.number("SQRT", squares)
 
 
 def _drop(formula: Formula, at: Inputs) -> bpy.types.NodeSocket:

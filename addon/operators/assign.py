@@ -7,11 +7,11 @@ from __future__ import annotations
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ..core.form import AUTO, NODES, OSL, choose_form
+from ..core.form import AUTO, OSL, choose_form
 from ..core.library import Library
 from ..core.looks import variants
 from ..core.manifest import CompiledMaterial
-from ..nodes import chosen, looks, thumbnails
+from ..nodes import chosen, looks, thickness, thumbnails
 from ..nodes import scene as scene_setup
 from ..nodes.material import create_material, discard_material
 from ..properties import FORMS
@@ -84,7 +84,8 @@ class NACRE_OT_assign_material(bpy.types.Operator):
             self.report({"ERROR"}, "There are no compiled materials; reinstall the extension")
             return {"CANCELLED"}
         library = Library.default()
-        variant = variants(library.entries())[self.material]
+        offered = variants(library.entries())
+        variant = offered[self.material]
         compiled = library.load(variant.entry.id)
         requested = self.form if self.form != AUTO else context.scene.nacre.form
         form = choose_form(compiled, requested, scene_setup.renderer(context.scene))
@@ -99,7 +100,9 @@ class NACRE_OT_assign_material(bpy.types.Operator):
         except Exception:
             discard_material(material, compiled)
             raise
+        thickness.remove_unfollowed()
         chosen.remember(variant.key)
+        context.window_manager.nacre.number = list(offered).index(variant.key)
         said = _describe(context.scene, variant.name, compiled, form, targets)
         self.report({"INFO"}, " ".join(said))
         return {"FINISHED"}
@@ -136,8 +139,6 @@ def _describe(scene, name: str, compiled: CompiledMaterial, form: str, targets: 
             said.append("Cycles now renders with Open Shading Language.")
         if compiled.wavelength_per_path and scene_setup.use_wavelengths(scene):
             said.append("Motion blur is on with a shutter of 0: it carries the wavelengths.")
-    elif form == NODES and compiled.negative_gamut:
-        said.append("As nodes, colours outside the gamut are clipped.")
     return [*said, *(f"{note}." for note in compiled.notes)]
 
 

@@ -13,6 +13,7 @@ from ..nodes import group as groups
 from ..nodes import scene as scene_setup
 from ..nodes import stack
 from ..nodes.material import describe, group_node, rebuild_material
+from ..nodes.subject import active_material
 from .guard import allows_change, reports_errors
 
 
@@ -94,15 +95,15 @@ class NACRE_OT_rebuild_material(bpy.types.Operator):
 
     @classmethod
     def poll(cls, context):
-        obj = context.object
-        if obj is None or group_node(obj.active_material) is None:
+        material = active_material(context)
+        if group_node(material) is None:
             cls.poll_message_set("Select an object with a wave material")
             return False
-        return allows_change(cls, obj.active_material)
+        return allows_change(cls, material)
 
     @reports_errors
     def execute(self, context):
-        material = context.object.active_material
+        material = active_material(context)
         tree = group_node(material).node_tree
         if stack.is_edited(material):
             made_from = stack.recipe(material)

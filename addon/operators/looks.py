@@ -14,8 +14,9 @@ from ..core.form import OSL
 from ..core.thickness import CURVE, POINT
 from ..nodes import look_file, my_looks, painting, thickness
 from ..nodes import scene as scene_setup
-from ..nodes.material import active_material, describe, group_node
+from ..nodes.material import describe, group_node
 from ..nodes.script import has_osl
+from ..nodes.subject import active_material
 from ..output import OutputError
 from .assign import named, put, takers
 from .guard import reports_errors
@@ -53,7 +54,8 @@ class NACRE_OT_save_look(_WaveMaterialOperator):
 
     def invoke(self, context, _event):
         if not self.properties.is_property_set("name"):
-            self.name = file_names.tidy(active_material(context).name)
+            name = file_names.tidy(active_material(context).name)
+            self.name = file_names.free(name, [look.name for look in my_looks.looks()])
         return context.window_manager.invoke_props_dialog(self)
 
     def draw(self, _context):
@@ -61,9 +63,11 @@ class NACRE_OT_save_look(_WaveMaterialOperator):
         column.use_property_split = True
         column.prop(self, "name")
         column.prop(self, "words")
-        if my_looks.has(self.name):
-            column.label(text="There is a look of this name", icon="ERROR")
-            column.prop(self, "replace")
+        # Always as high, so that the buttons below stay where the mouse is.
+        row = column.row()
+        is_taken = my_looks.has(self.name)
+        row.enabled = is_taken
+        row.prop(self, "replace", text="Replace the Look of This Name" if is_taken else "Replace")
 
     @reports_errors
     def execute(self, context):
@@ -110,8 +114,23 @@ class NACRE_OT_remove_look(_LookOperator):
     bl_label = "Nacre: Delete Look"
     bl_description = "Delete a look of yours and its picture; files that use it keep it"
 
+    @classmethod
+    def description(cls, _context, properties):
+        name = properties.look
+        return (
+            f"Delete {name} and its picture; files that use it keep it."
+            if name
+            else cls.bl_description
+        )
+
     def invoke(self, context, event):
-        return context.window_manager.invoke_confirm(self, event)
+        return context.window_manager.invoke_confirm(
+            self,
+            event,
+            title=f"Delete {self.look}?",
+            message="Files that use it keep it.",
+            confirm_text="Delete",
+        )
 
     @reports_errors
     def execute(self, _context):
@@ -206,6 +225,7 @@ def _assign(context, material: bpy.types.Material) -> None:
     scene = context.scene
     for target in takers(context):
         put(target, material, False)
+    thickness.remove_unfollowed()
     state = describe(material)
     if state.form == OSL and has_osl():
         scene_setup.use_osl(scene)

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import bpy
-from bpy.props import EnumProperty
+from bpy.props import EnumProperty, StringProperty
 
 from ..core import manual
 from ..core.library import Library
@@ -28,9 +28,16 @@ class NACRE_OT_open_manual(bpy.types.Operator):
         description="Which page",
         items=[(*item, number) for number, item in enumerate(manual.PAGES)],
     )
+    said: StringProperty(
+        name="Said",
+        description="What the button that opens the page explains by itself",
+        options={"HIDDEN", "SKIP_SAVE"},
+    )
 
     @classmethod
     def description(cls, _context, properties):
+        if properties.said:
+            return f"{properties.said}.\nA click opens the manual."
         text = next(text for name, _, text in manual.PAGES if name == properties.page)
         return f"{text}: opens the manual in the browser."
 

@@ -10,6 +10,7 @@ from bpy.props import BoolProperty, EnumProperty, IntProperty
 from ..core.probe import Probe
 from ..nodes import viewport
 from ..nodes.probe import in_picture, in_viewport
+from ..nodes.windows import redraw_panels
 from .guard import reports_errors
 
 _last: list[Probe] = []  # one at most; a session's, so that undo leaves it alone
@@ -66,9 +67,7 @@ class NACRE_OT_probe(bpy.types.Operator):
         found = in_viewport(*place, view) if view else in_picture(*place)
         _last[:] = [found]
         context.window_manager.nacre_probe.json = found.json()
-        for window in context.window_manager.windows:
-            for area in window.screen.areas:
-                area.tag_redraw()
+        redraw_panels()
         return {"FINISHED"}
 
 

@@ -14,7 +14,8 @@ from ..core.manifest import ManifestError
 from ..core.stack import MOST_LAYERS, Layer, read_stack
 from ..core.whole_file import write_whole
 from ..nodes import live, stack
-from ..nodes.material import active_material, group_node, kind
+from ..nodes.material import group_node, kind
+from ..nodes.subject import active_material
 from .guard import allows_change, reports_errors
 
 NEW_LAYER = Layer("SiO2/Malitson", 100.0)
@@ -215,11 +216,16 @@ class NACRE_OT_load_template(_FilmOperator):
     bl_description = "Read a film's template into this material"
 
     filepath: StringProperty(
-        name="File", description="Template to take the layers from (.toml)", subtype="FILE_PATH"
+        name="File",
+        description="Template to take the layers from (.toml)",
+        subtype="FILE_PATH",
+        options={"SKIP_SAVE"},
     )
     filter_glob: StringProperty(default="*.toml", options={"HIDDEN"})
 
     def invoke(self, context, _event):
+        if self.properties.is_property_set("filepath"):  # dropped
+            return self.execute(context)
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 

@@ -8,10 +8,10 @@ import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 from mathutils import Vector
 
-from ..core.thickness import CURVE, POINT, SOURCES, source
+from ..core.thickness import CURVE, POINT, SOURCES, STRENGTH, UPON, source
 from ..nodes import film_colours, heat, painting, thickness
 from ..nodes.image import hold_as_data
-from ..nodes.material import active_material
+from ..nodes.subject import active_material, subject
 from ..output import OutputError
 from .guard import allows_change, reports_errors
 
@@ -85,14 +85,23 @@ class NACRE_OT_add_thickness(_ThicknessOperator):
         if below and not spec.changes_what_is_below:
             names = " · ".join(node.label or node.name for node in below)
             self.report(
-                {"INFO"}, f"{added.label} lies upon {names}; lower its Strength to see both."
+                {"INFO"}, _how_it_lies(added, names, bool(thickness.covered([added, *below])))
             )
         if self.source == "map":
             thickness.link_image(material, added, image)
         if self.source.startswith("attribute"):
-            name = self.attribute or painting.layer_of(context.object)
+            name = self.attribute or painting.layer_of(subject(context))
             thickness.link_attribute(material, added, name, ramp=self.source == "attribute")
         return {"FINISHED"}
+
+
+def _how_it_lies(node: bpy.types.ShaderNodeGroup, names: str, covers: bool) -> str:
+    if UPON in node.inputs and node.inputs[UPON].default_value:
+        return f"{node.label} heats {names} further."
+    if covers:
+        return f"{node.label} covers {names}; lower its Strength to see both."
+    share = f"{100 * node.inputs[STRENGTH].default_value:.0f} %"
+    return f"{node.label} lies upon {names} at {share} of its strength."
 
 
 def around(context, coordinates: str | None) -> bpy.types.Object | None:
@@ -116,14 +125,15 @@ def around(context, coordinates: str | None) -> bpy.types.Object | None:
 
 
 def _beside(context, name: str, data: bpy.types.Curve | None) -> bpy.types.Object:
-    """At the upper front edge of the active object's box, half as large as that."""
-    obj = context.object
+    """At the upper front left of the active object's box, half as large as that."""
+    obj = subject(context)
     corners = [obj.matrix_world @ Vector(corner) for corner in obj.bound_box]
     low, high = (Vector(map(pick, zip(*corners, strict=True))) for pick in (min, max))
     made = bpy.data.objects.new(name, data)
+    made[thickness.MADE_HERE] = True
     if data is None:
         made.empty_display_type = "SPHERE"
-        made.location = low[0], (low[1] + high[1]) / 2.0, high[2]
+        made.location = low[0], low[1], high[2]
     else:
         made.location = (low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0, high[2]
     size = max(high - low) / 2.0 or 1.0
@@ -153,13 +163,17 @@ def _picture(path: str) -> bpy.types.Image:
     return image
 
 
-class NACRE_OT_open_thickness_image(_SourceOperator):
+class NACRE_OT_open_thickness_image(_ThicknessOperator):
     bl_idname = "nacre.open_thickness_image"
     bl_label = "Nacre: Open Thickness Picture"
     bl_description = "Choose a picture whose grey values are the thickness"
 
+    index: IntProperty(name="Source", description="Which source, from the top", min=0)
     filepath: StringProperty(
-        name="Image", description="Picture of the thickness", subtype="FILE_PATH"
+        name="Image",
+        description="Picture of the thickness",
+        subtype="FILE_PATH",
+        options={"SKIP_SAVE"},
     )
     filter_image: bpy.props.BoolProperty(
         name="Pictures", description="List pictures", default=True, options={"HIDDEN"}
@@ -169,26 +183,31 @@ class NACRE_OT_open_thickness_image(_SourceOperator):
     )
 
     def invoke(self, context, _event):
+        if self.properties.is_property_set("filepath"):  # dropped
+            return self.execute(context)
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
     @reports_errors
     def execute(self, context):
         material = active_material(context)
-        node = _image_source(self, context)
-        thickness.link_image(material, node, _picture(bpy.path.abspath(self.filepath)))
+        image = _picture(bpy.path.abspath(self.filepath))  # before anything is changed
+        node = _fitting_source(material, self.index, "map")
+        if node is None:
+            node = thickness.add_source(material, "map")
+        thickness.link_image(material, node, image)
         return {"FINISHED"}
 
 
-def _image_source(operator: _SourceOperator, context) -> bpy.types.ShaderNodeGroup:
-    """The one that is meant, or the uppermost that is fed by a picture."""
-    sources = thickness.sources_of(active_material(context))
-    pictures = [node for node in sources if thickness.spec_of(node).id == "map"]
-    if operator.index < len(sources) and sources[operator.index] in pictures:
-        return sources[operator.index]
-    if not pictures:
-        raise OutputError("No source of the thickness is a picture; add Image")
-    return pictures[0]
+def _fitting_source(
+    material: bpy.types.Material, index: int, kind: str
+) -> bpy.types.ShaderNodeGroup | None:
+    """The one that is meant, or the uppermost of its kind."""
+    sources = thickness.sources_of(material)
+    fitting = [node for node in sources if thickness.spec_of(node).id == kind]
+    if index < len(sources) and sources[index] in fitting:
+        return sources[index]
+    return fitting[0] if fitting else None
 
 
 class NACRE_OT_read_as_data(_SourceOperator):
@@ -198,7 +217,8 @@ class NACRE_OT_read_as_data(_SourceOperator):
 
     @reports_errors
     def execute(self, context):
-        image = thickness.image_node(_image_source(self, context)).image
+        node = _fitting_source(active_material(context), self.index, "map")
+        image = thickness.image_node(node).image if node is not None else None
         if image is None:
             raise OutputError("There is no picture yet")
         hold_as_data(image)
@@ -281,7 +301,10 @@ class NACRE_OT_set_thickness(_ThicknessOperator):
         material = active_material(context)
         chips = film_colours.chips(material) if material is not None else ()
         near = min(chips, key=lambda chip: abs(chip.thickness - properties.thickness), default=None)
-        return f"{properties.thickness:.3g}: {near.name}." if near else cls.bl_description
+        if near is None:
+            return cls.bl_description
+        socket = thickness.thickness_socket(material)
+        return f"{properties.thickness:.3g}{film_colours.unit(socket)}: {near.name}."
 
     @reports_errors
     def execute(self, context):
@@ -314,11 +337,33 @@ class NACRE_OT_paint_thickness(_SourceOperator):
 
     @reports_errors
     def execute(self, context):
-        node = self.source(context)
-        attribute = thickness.feed_of(node, "ATTRIBUTE")
+        node = _fitting_source(active_material(context), self.index, "attribute")
+        attribute = thickness.feed_of(node, "ATTRIBUTE") if node is not None else None
         if attribute is None:
             raise OutputError("This source is not painted; add Paint")
-        painting.begin(context, attribute, self.value if self.value >= 0.0 else None)
+        said = painting.begin(
+            context, subject(context), attribute, self.value if self.value >= 0.0 else None
+        )
+        if said:
+            self.report({"INFO"}, said)
+        return {"FINISHED"}
+
+
+class NACRE_OT_stop_painting(bpy.types.Operator):
+    bl_idname = "nacre.stop_painting"
+    bl_label = "Nacre: Stop Painting"
+    bl_description = "Put the brush down; what was painted stays"
+    bl_options = {"REGISTER", "UNDO"}
+
+    @classmethod
+    def poll(cls, context):
+        if painting.is_on(context.object):
+            return True
+        cls.poll_message_set("The active object is not being painted")
+        return False
+
+    def execute(self, _context):
+        bpy.ops.object.mode_set(mode="OBJECT")
         return {"FINISHED"}
 
 
@@ -328,6 +373,8 @@ class NACRE_MT_thickness(bpy.types.Menu):
 
     def draw(self, _context):
         for item in SOURCES:
+            if item.group:
+                self.layout.label(text=item.group)
             self.layout.operator("nacre.add_thickness", text=item.name).source = item.id
         self.layout.separator()
         self.layout.operator("nacre.remove_thickness", text="One Thickness", icon="X")
@@ -343,5 +390,6 @@ CLASSES = (
     NACRE_OT_animate_thickness,
     NACRE_OT_set_thickness,
     NACRE_OT_paint_thickness,
+    NACRE_OT_stop_painting,
     NACRE_MT_thickness,
 )

@@ -11,7 +11,8 @@ from bpy.props import EnumProperty, IntProperty
 
 from ..core.variations import words
 from ..nodes import variations
-from ..nodes.material import active_material, group_node
+from ..nodes.material import group_node
+from ..nodes.subject import active_material
 from ..output import OutputError
 from .guard import allows_change, reports_errors
 

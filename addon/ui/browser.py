@@ -11,10 +11,12 @@ from ..core.library import Entry, Library
 from ..core.looks import variants
 from ..nodes import chosen, lighting, thumbnails
 from ..nodes.script import has_osl
+from ..nodes.subject import active_material
 from . import wrapped
 from .asset_build import draw_asset_build
 from .help import Documented, OfWaveMaterial
 from .panels import draw_light, draw_material
+from .stack_panel import draw_progress
 
 _LOCKED = (
     "Needs Open Shading Language, which this Blender was built without; blender.org's own has it."
@@ -27,7 +29,7 @@ _FIRST = (
     "rose_chafer",
     "car_paint_green_violet",
 )
-"""What is offered to those who have not assigned any yet."""
+"""What is offered to those who have not found their own yet."""
 
 
 class NACRE_PT_viewport(Documented, bpy.types.Panel):
@@ -42,7 +44,7 @@ class NACRE_PT_viewport(Documented, bpy.types.Panel):
         offered = variants(Library.default().entries())
         draw_asset_build(layout)
         layout.prop(browser, "search", text="", icon="VIEWZOOM")
-        if browser.choice not in offered:
+        if not browser.finds_any():
             layout.label(text=f"Nothing is found for “{browser.search}”", icon="INFO")
             return
         layout.template_icon_view(browser, "choice", show_labels=True, scale=8.0, scale_popup=6.0)
@@ -58,14 +60,31 @@ class NACRE_PT_viewport(Documented, bpy.types.Panel):
         favourites = chosen.favourites(offered)
         star = "SOLO_ON" if chosen_one.key in favourites else "SOLO_OFF"
         row.operator("nacre.favourite", text="", icon=star).material = chosen_one.key
-        recent = chosen.recent(offered)
-        first = [] if recent or browser.search else [key for key in _FIRST if key in offered]
-        for title, found in (
-            ("Favourites", favourites),
-            ("Recent", recent),
-            ("Begin With", first),
-        ):
-            _draw_row(layout, title, [offered[key] for key in found])
+
+
+class NACRE_PT_viewport_shelf(Documented, bpy.types.Panel):
+    """Those that one comes back to, and until there are some, those to begin with."""
+
+    bl_label = "Favourites and Recent"
+    bl_parent_id = "NACRE_PT_viewport"
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Nacre"
+
+    @classmethod
+    def poll(cls, context):
+        return not context.window_manager.nacre.search
+
+    def draw(self, _context):
+        offered = variants(Library.default().entries())
+        favourites, recent = chosen.favourites(offered), chosen.recent(offered)
+        known = {*favourites, *recent}
+        # In one grid, so that the pictures stay where they are when one of them is taken.
+        first = [key for key in _FIRST if key in offered and key not in known]
+        first = first[: max(0, len(_FIRST) - len(known))]
+        title = " and to ".join(["Recent"] * bool(recent) + ["Begin With"] * bool(first))
+        for text, found in (("Favourites", favourites), (title, [*recent, *first])):
+            _draw_row(self.layout, text, [offered[key] for key in found])
 
 
 def _is_locked(entry: Entry) -> bool:
@@ -81,7 +100,7 @@ def _draw_row(layout, title: str, shown) -> None:
         column = grid.column(align=True)
         column.enabled = not _is_locked(item.entry)
         column.template_icon(icon_value=thumbnails.icon(item.key), scale=4.0)
-        column.operator("nacre.assign_material", text=item.name).material = item.key
+        column.operator("nacre.assign_material", text=item.label).material = item.key
 
 
 class NACRE_PT_viewport_material(OfWaveMaterial, bpy.types.Panel):
@@ -92,6 +111,9 @@ class NACRE_PT_viewport_material(OfWaveMaterial, bpy.types.Panel):
     bl_category = "Nacre"
 
     def draw(self, context):
+        material = active_material(context)
+        self.layout.prop(material, "name", text="", icon="MATERIAL")
+        draw_progress(self.layout, material)
         draw_material(self.layout, context)
 
 
@@ -112,4 +134,9 @@ class NACRE_PT_viewport_light(Documented, bpy.types.Panel):
         draw_light(self.layout, context.scene)
 
 
-CLASSES = (NACRE_PT_viewport, NACRE_PT_viewport_light, NACRE_PT_viewport_material)
+CLASSES = (
+    NACRE_PT_viewport,
+    NACRE_PT_viewport_shelf,
+    NACRE_PT_viewport_light,
+    NACRE_PT_viewport_material,
+)

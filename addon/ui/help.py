@@ -5,7 +5,14 @@
 from __future__ import annotations
 
 from ..core import manual
-from ..nodes.material import active_material, group_node
+from ..nodes.material import group_node
+from ..nodes.subject import active_material
+
+
+def explain(layout, page: str, text: str) -> None:
+    """A sign whose tooltip says it: Blender has one text for all inputs of nodes."""
+    button = layout.operator("nacre.open_manual", text="", icon="INFO", emboss=False)
+    button.page, button.said = page, text
 
 
 class Documented:

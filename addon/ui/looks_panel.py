@@ -7,7 +7,8 @@ from __future__ import annotations
 import bpy
 
 from ..nodes import my_looks
-from ..nodes.material import active_material, group_node
+from ..nodes.material import group_node
+from ..nodes.subject import active_material
 from . import wrapped
 from .help import Documented
 
@@ -25,13 +26,12 @@ class _Looks(Documented):
         grid = layout.grid_flow(row_major=True, columns=0, even_columns=True, align=True)
         for look in saved:
             _draw_look(grid, look)
-        row = layout.row(align=True)
-        row.operator_context = "INVOKE_DEFAULT"
-        material = active_material(context)
-        if group_node(material) is not None:
-            row.operator("nacre.save_look", text="Save Look…", icon="FILE_TICK")
-            row.operator("nacre.export_look", text="Share…", icon="EXPORT")
-        row.operator("nacre.import_look", text="Open Shared…", icon="IMPORT")
+        column = layout.column(align=True)
+        column.operator_context = "INVOKE_DEFAULT"
+        if group_node(active_material(context)) is not None:
+            column.operator("nacre.save_look", text="Save Look…", icon="FILE_TICK")
+            column.operator("nacre.export_look", text="Share as One File…", icon="EXPORT")
+        column.operator("nacre.import_look", text="Open Shared Look…", icon="IMPORT")
 
 
 def _draw_look(layout, look: my_looks.Look) -> None:

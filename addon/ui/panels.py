@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The panels in Properties > Material and in the shader editor's sidebar, and the entries in menus."""
+"""The panels in Properties > Material and in the shader editor's sidebar."""
 
 from __future__ import annotations
 
@@ -12,10 +12,12 @@ from ..nodes import group as groups
 from ..nodes import lighting, stack
 from ..nodes import scene as scene_setup
 from ..nodes.material import describe, group_node, input_socket, kind, missing_tables, notes
+from ..nodes.subject import active_material, subject
 from ..nodes.thickness import thickness_socket
 from . import thickness_panel, wrapped
 from .help import Documented
 
+_FINE = 200  # faces
 _EXACT_ROUGH = "exact_rough"  # by its manifest name
 
 
@@ -32,7 +34,7 @@ class _WaveOptics(Documented):
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = True
-        material = context.object.active_material
+        material = active_material(context)
         node = group_node(material)
         row = layout.row(align=True)
         row.operator_context = "INVOKE_DEFAULT"
@@ -55,7 +57,7 @@ class _Advanced(Documented):
         layout = self.layout
         layout.use_property_split = True
         layout.prop(context.scene.nacre, "form", text="New Materials As")
-        material = context.object.active_material
+        material = active_material(context)
         node = group_node(material)
         if node is None:
             return
@@ -98,11 +100,15 @@ class NACRE_PT_shader_editor_advanced(_Advanced, bpy.types.Panel):
 
 
 def draw_material(layout, context) -> None:
-    """Of the active object's active material, which is a wave material."""
-    material = context.object.active_material
+    """Of the active material, which is a wave material."""
+    material = active_material(context)
     node = group_node(material)
     _draw_problems(layout, context, material)
     _draw_notes(layout, material)
+    if _is_round_but_flat(subject(context)):
+        box = layout.box()
+        wrapped.label(box, "Its faces are flat: each mirrors one spot of the world", "INFO")
+        box.operator("object.shade_smooth", text="Shade Smooth")
     _draw_sockets(layout, context, material, node)
 
 
@@ -116,6 +122,15 @@ def _draw_problems(layout, context, material) -> None:
         wrapped.label(box, problem.text, "ERROR")
         if problem.operator:
             box.operator(problem.operator, text=problem.action)
+
+
+def _is_round_but_flat(obj: bpy.types.Object) -> bool:
+    """A fine mesh all of whose faces are shaded flat, as new spheres are; what is cut, as gems are, has
+    fewer. Looked at in three places, as this is asked at each redraw."""
+    if obj.type != "MESH" or len(obj.data.polygons) < _FINE:
+        return False
+    faces = obj.data.polygons
+    return not any(faces[i].use_smooth for i in (0, len(faces) // 2, len(faces) - 1))
 
 
 def draw_light(layout, scene) -> None:
@@ -174,37 +189,6 @@ def _draw_form(layout, node) -> None:
         row.operator("nacre.rebuild_material", text="Use OSL").form = OSL
     elif form == OSL and not tree.get(groups.WAVELENGTHS, False):
         row.operator("nacre.rebuild_material", text="Use Nodes").form = NODES
-
-
-def _draw_menu_entry(self, _context) -> None:
-    self.layout.operator_context = "INVOKE_DEFAULT"
-    self.layout.operator(
-        "nacre.assign_material", text="Assign Wave Material…", icon="SHADING_RENDERED"
-    )
-
-
-def _draw_view_entries(self, _context) -> None:
-    self.layout.separator()
-    self.layout.operator_context = "INVOKE_DEFAULT"
-    self.layout.operator("nacre.probe", icon="EYEDROPPER")
-    self.layout.operator("nacre.viewport_picture", icon="IMAGE_DATA")
-
-
-_MENUS = (
-    ("VIEW3D_MT_object", _draw_menu_entry),
-    ("MATERIAL_MT_context_menu", _draw_menu_entry),
-    ("VIEW3D_MT_view", _draw_view_entries),
-)
-
-
-def add_to_menus() -> None:
-    for name, draw in _MENUS:
-        getattr(bpy.types, name).append(draw)
-
-
-def remove_from_menus() -> None:
-    for name, draw in _MENUS:
-        getattr(bpy.types, name).remove(draw)
 
 
 CLASSES = (

@@ -9,7 +9,8 @@ import bpy
 from ..core.light import AS_COMPILED, USUAL, Conditions, menu_item
 from ..core.messages import spoken
 from ..nodes import live, stack
-from ..nodes.material import active_material, group_node, kind
+from ..nodes.material import group_node, kind
+from ..nodes.subject import active_material
 from ..nodes.thickness import thickness_socket
 from . import swatch, wrapped
 from .help import Documented
@@ -31,6 +32,13 @@ class NACRE_UL_layers(bpy.types.UIList):
         )
 
 
+def draw_progress(layout, material) -> None:
+    """While what is seen are quick tables, and the exact ones are on their way."""
+    done = live.progress(material)
+    if done is not None:
+        layout.progress(factor=done, text="Compiling exact colours")
+
+
 class _StackEditor(Documented):
     manual_page = "stacks"
     bl_label = "Stack"
@@ -43,7 +51,7 @@ class _StackEditor(Documented):
 
     def draw(self, context):
         layout = self.layout
-        material = context.object.active_material
+        material = active_material(context)
         if not stack.is_edited(material):
             layout.operator("nacre.edit_stack", text="Edit Stack", icon="MOD_WAVE")
             return
@@ -52,6 +60,7 @@ class _StackEditor(Documented):
             layout.operator("nacre.revert_stack", text="Revert Stack", icon="LOOP_BACK")
             return
         shown = material.nacre
+        draw_progress(layout, material)
         _draw_layers(layout, shown)
         if live.problem(material):
             box = layout.box()
@@ -59,8 +68,6 @@ class _StackEditor(Documented):
                 wrapped.label(box, text, "ERROR")
         _draw_colours(layout, material, shown)
         row = layout.row(align=True)
-        if live.is_busy(material):
-            row.label(text="Compiling…", icon="SORTTIME")
         row.operator("nacre.save_template", text="Save…", icon="FILE_TICK")
         row.operator("nacre.load_template", text="Load…", icon="FILE_FOLDER")
         row.operator("nacre.revert_stack", text="", icon="LOOP_BACK")
@@ -93,7 +100,7 @@ class _Advanced(Documented):
 
     manual_page = "models"
 
-    bl_label = "Advanced"
+    bl_label = "Computation"
     bl_options = {"DEFAULT_CLOSED"}
 
     @classmethod
@@ -104,7 +111,7 @@ class _Advanced(Documented):
     def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
-        material = context.object.active_material
+        material = active_material(context)
         layout.prop(material.nacre, "technique")
         layout.prop(material.nacre, "illuminant")
         layout.prop(material.nacre, "observer")
@@ -130,10 +137,10 @@ def _draw_colours(layout, material, shown) -> None:
     value = socket.default_value if socket is not None else 1.0
     row = layout.row()
     column = row.column(align=True)
-    column.label(text="Up: thicker, right: grazing")
+    column.label(text="Thicker ↑   grazing →")
     column.template_icon(icon_value=swatch.swatch(material), scale=6.0)
     column = row.column(align=True)
-    column.label(text="Reflected, 380–780 nm")
+    column.label(text="380 → 780 nm")
     column.template_icon(
         icon_value=swatch.spectrum(material, value, shown.plot_angle_deg), scale=6.0
     )

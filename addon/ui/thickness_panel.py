@@ -6,17 +6,28 @@ from __future__ import annotations
 
 import bpy
 
-from ..core.thickness import BELOW, ON, STRENGTH, Source
-from ..nodes import film_colours, heat
-from ..nodes.thickness import feed_of, ramp_of, sources_of, spec_of, thickness_socket
+from ..core.thickness import BELOW, CURVE, ON, POINT, STRENGTH, UPON, Input
+from ..nodes import film_colours, heat, limits, painting
+from ..nodes.material import interface_item
+from ..nodes.subject import active_material, subject
+from ..nodes.thickness import (
+    covered,
+    feed_of,
+    ramp_of,
+    sources_of,
+    spec_of,
+    thickness_socket,
+)
 from . import swatch, wrapped
+from .help import explain
 
+_COARSE = 500  # vertices
 _UNITS = {"c": " (°C)", "k": " (K)", "m": " (m)", "s": " (s)"}
 
 
 def draw(layout: bpy.types.UILayout, context) -> None:
-    """Of the active object's active material, which is a wave material."""
-    material = context.object.active_material
+    """Of the active material, which is a wave material."""
+    material = active_material(context)
     socket = thickness_socket(material)
     if socket is None:
         return
@@ -28,10 +39,15 @@ def draw(layout: bpy.types.UILayout, context) -> None:
     else:
         column = box.column(align=True)
         column.use_property_split = False
-        column.prop(socket, "default_value", text=socket.name, slider=True)
+        row = column.row(align=True)
+        row.prop(socket, "default_value", text=socket.name, slider=True)
+        explain(row, "thickness", interface_item(socket).description)
         _draw_chips(column, material)
-    for index, node in enumerate(sources):
-        _draw_source(box, context, index, node, len(sources))
+    for said in limits.held(material):
+        wrapped.label(box, said, "INFO")
+    hidden = covered(sources)
+    for index in range(len(sources)):
+        _draw_source(box, context, sources, index, index in hidden)
     box.menu("NACRE_MT_thickness", text="Vary Thickness", icon="ADD")
 
 
@@ -57,45 +73,79 @@ def _draw_paints(layout, material, index: int, node) -> None:
         loaded.value = (chip.thickness - low) / (high - low)
 
 
-def _draw_source(layout, context, index: int, node: bpy.types.ShaderNodeGroup, count: int) -> None:
-    spec = spec_of(node)
+def _draw_source(layout, context, sources: list, index: int, is_covered: bool) -> None:
+    node, last = sources[index], len(sources) - 1
+    is_on = ON not in node.inputs or bool(node.inputs[ON].default_value)
     box = layout.box()
     row = box.row(align=True)
     row.use_property_split = False
     arrow = "DOWNARROW_HLT" if node.show_options else "RIGHTARROW"
     row.prop(node, "show_options", text="", icon=arrow, emboss=False)
     if ON in node.inputs:
-        eye = "HIDE_OFF" if node.inputs[ON].default_value else "HIDE_ON"
+        eye = "HIDE_OFF" if is_on else "HIDE_ON"
         row.prop(node.inputs[ON], "default_value", text="", icon=eye, emboss=False)
-    row.label(text=node.label or node.name)
-    if count > 1 and STRENGTH in node.inputs:
-        row.prop(node.inputs[STRENGTH], "default_value", text="", slider=True)
-    if count > 1:
-        for direction, icon in (("UP", "TRIA_UP"), ("DOWN", "TRIA_DOWN")):
-            move = row.operator("nacre.move_thickness_source", text="", icon=icon)
+    name = row.row(align=True)
+    name.active = is_on and not is_covered
+    name.label(text=node.label or node.name)
+    if last:
+        for direction, icon, end in (("UP", "TRIA_UP", 0), ("DOWN", "TRIA_DOWN", last)):
+            moved = row.row(align=True)
+            moved.enabled = index != end
+            move = moved.operator("nacre.move_thickness_source", text="", icon=icon)
             move.index, move.direction = index, direction
     row.operator("nacre.remove_thickness_source", text="", icon="X").index = index
+    if is_covered:
+        wrapped.label(box, "Covered: nothing of it is seen", "INFO")
     if node.show_options:
-        _draw_inputs(box, context, index, node, spec, count)
+        body = box.column()
+        body.active = is_on and not is_covered
+        apart = {BELOW, ON}
+        if index == last:
+            apart.add(UPON)  # there is nothing below
+        if not last:
+            apart.add(STRENGTH)
+        _draw_inputs(body, context, index, node, apart)
 
 
-def _draw_inputs(layout, context, index: int, node, spec: Source, count: int) -> None:
+def _draw_inputs(layout, context, index: int, node, apart: set[str]) -> None:
+    spec = spec_of(node)
     if spec.id == "map":
         _draw_image(layout, index, node)
     elif spec.id.startswith("attribute"):
-        _draw_painting(layout, context.object.active_material, index, node)
+        _draw_painting(layout, context, index, node)
     _draw_followed(layout, context, node)
     column = layout.column()
-    for item in spec.inputs:
-        socket = node.inputs.get(item.name)
-        if socket is None or socket.hide_value or socket.is_linked or item.is_switch:
-            continue
-        if item.name == BELOW or (item.name == STRENGTH and count > 1):
-            continue
-        unit = _UNITS.get(item.unit, "")
-        column.prop(socket, "default_value", text=f"{item.name}{unit}")
+    shown = [item for item in spec.inputs if item.name not in apart and _is_shown(node, item)]
+    for item in shown:
+        if not item.fine:
+            _draw_input(column, node, item)
+    fine = [item for item in shown if item.fine]
+    row = layout.row()
+    if fine:
+        browser = context.window_manager.nacre
+        arrow = "DOWNARROW_HLT" if browser.shows_fine else "RIGHTARROW"
+        row.prop(browser, "shows_fine", text="More", icon=arrow, emboss=False)
+    explain(row, "thickness", "\n".join([spec.description, *map(_explained, shown)]))
+    if fine and browser.shows_fine:
+        column = layout.column()
+        for item in fine:
+            _draw_input(column, node, item)
     if "Time" in node.inputs:
         layout.operator("nacre.animate_thickness", text="Run with the Scene", icon="TIME")
+
+
+def _is_shown(node, item: Input) -> bool:
+    socket = node.inputs.get(item.name)
+    return socket is not None and not socket.hide_value and not socket.is_linked
+
+
+def _draw_input(layout, node, item: Input) -> None:
+    text = f"{item.name}{_UNITS.get(item.unit, '')}"
+    layout.prop(node.inputs[item.name], "default_value", text=text)
+
+
+def _explained(item: Input) -> str:
+    return f"{item.name}: {item.description[0].lower()}{item.description[1:]}"
 
 
 def _draw_image(layout, index: int, node) -> None:
@@ -110,15 +160,26 @@ def _draw_image(layout, index: int, node) -> None:
         layout.operator("nacre.read_as_data", text="Read as Data").index = index
 
 
-def _draw_painting(layout, material, index: int, node) -> None:
+def _draw_painting(layout, context, index: int, node) -> None:
     attribute = feed_of(node, "ATTRIBUTE")
     if attribute is None:
         layout.label(text="Fed by other nodes", icon="LINKED")
         return
     if spec_of(node).id == "attribute":
-        start = layout.operator("nacre.paint_thickness", text="Start Painting", icon="BRUSH_DATA")
-        start.index = index
-        _draw_paints(layout, material, index, node)
+        if painting.is_on(context.object):
+            layout.operator(
+                "nacre.stop_painting", text="Stop Painting", icon="CHECKMARK", depress=True
+            )
+        else:
+            start = layout.operator(
+                "nacre.paint_thickness", text="Start Painting", icon="BRUSH_DATA"
+            )
+            start.index = index
+        _draw_paints(layout, active_material(context), index, node)
+        count = painting.places(subject(context))
+        if count is not None and count < _COARSE:
+            text = f"The mesh has {count} vertices to paint on: subdivide it for finer strokes"
+            wrapped.label(layout, text, "INFO")
     layout.prop(attribute, "attribute_name", text="Attribute")
     ramp = ramp_of(node)
     if ramp is not None:
@@ -128,9 +189,9 @@ def _draw_painting(layout, material, index: int, node) -> None:
 def _draw_followed(layout, context, node) -> None:
     """The empty or the curve."""
     coordinates = feed_of(node, "TEX_COORD", "Vector")
-    if coordinates is not None and spec_of(node).coordinates == "Point":
+    if coordinates is not None and spec_of(node).coordinates == POINT:
         layout.prop(coordinates, "object", text="Point")
-    modifier = heat.modifier_of(context.object)
-    if spec_of(node).coordinates == "Curve" and modifier is not None:
+    modifier = heat.modifier_of(subject(context))
+    if spec_of(node).coordinates == CURVE and modifier is not None:
         holder, path = heat.curve_property(modifier)
         layout.prop(holder, path, text="Curve")

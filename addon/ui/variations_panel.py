@@ -8,6 +8,7 @@ import bpy
 
 from ..core.variations import State, words
 from ..nodes import ball, variations
+from ..nodes.subject import active_material
 from . import swatch, wrapped
 from .help import OfWaveMaterial
 
@@ -20,7 +21,7 @@ class _Variations(OfWaveMaterial):
 
     def draw(self, context):
         layout = self.layout
-        material = context.object.active_material
+        material = active_material(context)
         if not variations.knobs(material, with_colours=False):
             wrapped.label(layout, "Nothing here varies: all inputs are linked or animated", "INFO")
             return

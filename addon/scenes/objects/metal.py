@@ -11,12 +11,12 @@ from mathutils import Matrix, Vector
 
 from ..shape import circle, flat_uvs, join, lathe, mesh, plain, plate, sheet, spline, tube
 from .outline import round_edges, softened
-from .portrayed import Portrayed, pose
+from .portrayed import Portrayed, heated, pose
 
 
 def blade(scene: bpy.types.Scene) -> Portrayed:
-    """A knife; its own x runs from the handle to the tip."""
-    steel, props = _steel(scene), _handle(scene)
+    """A knife; heat comes from the handle."""
+    steel, props = heated(_steel(scene)), _handle(scene)
     pose([steel, *props], lean_deg=36.0, roll_deg=-30.0, turn_deg=6.0)
     return Portrayed((steel,), tuple(props), elevation_deg=24.0, fill=0.9)
 
@@ -145,7 +145,7 @@ def exhaust(scene: bpy.types.Scene) -> Portrayed:
     flange.matrix_basis = Matrix.Translation((-0.9, 0.0, 0.0)) @ Matrix.Rotation(
         math.pi / 2, 4, "Y"
     )
-    whole = join((outside, inside, lip, *welds, flange))
+    whole = heated(join((outside, inside, lip, *welds, flange)))
     pose([whole], turn_deg=-30.0)
     return Portrayed((whole,), elevation_deg=16.0)
 
@@ -295,7 +295,7 @@ def spring(scene: bpy.types.Scene) -> Portrayed:
     ends = [
         _disc_at(scene, at(t), at(t + step), 0.095) for t, step in ((0.0, 0.002), (1.0, -0.002))
     ]
-    coil = join((wire, *ends))
+    coil = heated(join((wire, *ends)))
     pose([coil], lean_deg=-72.0, turn_deg=-54.0)
     return Portrayed((coil,), elevation_deg=26.0)
 

@@ -53,6 +53,14 @@ def pose(
         obj.matrix_basis = Matrix.Translation((0.0, 0.0, -lowest)) @ obj.matrix_basis
 
 
+def heated(obj: bpy.types.Object) -> bpy.types.Object:
+    """The object as it stands, its own x the other way: heat begins at the end of +x."""
+    half = Matrix.Rotation(math.pi, 4, "Z")
+    obj.data.transform(half)
+    obj.matrix_basis = obj.matrix_basis @ half
+    return obj
+
+
 def corners(obj: bpy.types.Object):
     """The mesh's vertices, in the scene."""
     return [obj.matrix_basis @ vertex.co for vertex in obj.data.vertices]

@@ -9,7 +9,7 @@ import math
 import bpy
 
 from ..shape import join, lathe, plain, sheet, sphere, spline, tube
-from .portrayed import Portrayed, pose
+from .portrayed import Portrayed, heated, pose
 
 Profile = list[tuple[float, float]]
 
@@ -153,7 +153,7 @@ def saucepan(scene: bpy.types.Scene) -> Portrayed:
         (0.8, 0.62),
         (0.83, 0.66),
     ]
-    body = lathe(scene, "Pan", _walled(outside, 0.03, 0.03), segments=192)
+    body = heated(lathe(scene, "Pan", _walled(outside, 0.03, 0.03), segments=192))
     body.data.set_sharp_from_angle(angle=math.radians(60.0))
     path = spline([(0.78, 0.0, 0.52), (0.95, 0.0, 0.55), (1.3, 0.0, 0.66), (1.85, 0.0, 0.74)], 10)
     handle = tube(

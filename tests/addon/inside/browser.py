@@ -69,6 +69,7 @@ class Layout:
 def drawn(material):
     said, buttons = [], []
     browser.choice = material
+    assert browser.choice == material
     context = SimpleNamespace(window_manager=bpy.context.window_manager)
     panel.NACRE_PT_viewport.draw(SimpleNamespace(layout=Layout(said, buttons)), context)
     return " ".join(text for text, _ in said), {icon for _, icon in said}, dict(reversed(buttons))
@@ -95,6 +96,7 @@ for name in [*names, *names[:2]]:
         material=name, form="nodes" if entries[name].entry.kind == "film" else "osl"
     )
 assert chosen.recent(entries)[:2] == [names[1], names[0]]
+assert browser.choice == names[1]  # the picture is that of what was assigned
 assert len(chosen.recent(entries)) == len(set(chosen.recent(entries))) <= chosen.MOST_RECENT
 cube.select_set(False)
 bpy.context.view_layer.objects.active = None

@@ -76,7 +76,8 @@ twin.name = first.name
 bpy.context.object.active_material = first
 bpy.ops.nacre.rebuild_material()
 assert np.array_equal(texels(twin), texels(first))
-twin.nacre.substrate = "Cu/Johnson"
+twin.nacre.substrate = "copper"  # by its name
+assert twin.nacre.substrate == "Cu/Johnson"
 assert stack.stack_of(first).substrate == "Au/Johnson"
 owned_alone(first, twin)
 
@@ -148,7 +149,7 @@ material = assigned()
 live._has_timers = lambda: True
 live.WAIT = 0.0
 material.nacre.substrate = "Ti/Johnson"
-assert live.is_busy(material)
+assert live.progress(material) is not None
 time.sleep(0.01)
 assert live._tick() is not None
 assert live._jobs, "no compilation runs"
@@ -163,20 +164,20 @@ assert bpy.app.timers.is_registered(live._resume)
 material.nacre.substrate = "Cu/Johnson"
 live._forget()
 live._resume()
-assert live.is_busy(material)
+assert live.progress(material) is not None
 extension.unregister()
 assert stack.is_stale(material)
 bpy.ops.wm.save_as_mainfile(filepath=str(folder / "quick.blend"))
 extension.register()
 bpy.ops.wm.open_mainfile(filepath=str(folder / "quick.blend"))
 material = bpy.data.objects["Cube"].active_material
-assert live.is_busy(material)
+assert live.progress(material) is not None
 
 # An edit that is damaged while it is compiled ends the job, and no more.
 live._tick()
 assert live._jobs
 material[stack.TEMPLATE] = 7
 live._wait()
-assert not live.is_busy(material)
+assert live.progress(material) is None
 assert not live._jobs
 extension.unregister()

@@ -36,7 +36,7 @@ PANELS = [
     for cls in module(name).CLASSES
     if issubclass(cls, bpy.types.Panel)
 ]
-assert len(PANELS) == 19, PANELS
+assert len(PANELS) == 20, PANELS
 
 
 class Layout:
@@ -78,6 +78,10 @@ class Layout:
 
     def _nothing(self, *_arguments, **_options):
         pass
+
+    def progress(self, factor, text=""):
+        assert 0.0 <= factor <= 1.0
+        self.said.append(text)
 
     menu = separator = template_icon = template_color_ramp = _nothing
 
