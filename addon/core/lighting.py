@@ -50,6 +50,7 @@ class Softbox:
     panes: tuple[int, int] = (1, 1)
     edge: float = 0.06  # how soft, as a part of the half size
     falloff: float = 0.0  # how much darker the corners are
+    is_hidden: bool = False  # from the camera itself; things mirror it
 
 
 @dataclass(frozen=True)
@@ -70,10 +71,13 @@ def _of(tint: tuple[float, float, float], power: float) -> tuple[float, float, f
 
 
 def _cards(power: float) -> tuple[Softbox, ...]:
-    """Two dim cards below the horizon, where upright faces that the default camera looks down on mirror
-    what would be dark floor; out of its own sight, so that clear films keep a dark ground."""
+    """Two dim cards below the horizon, as photographers hold them beside a thing: its upright faces, which
+    the default camera looks down on, mirror what would be dark floor. Clear films keep a dark ground."""
     tint = _of(_WHITE, power)
-    return tuple(Softbox(azimuth, -30.0, (0.5, 0.6), tint, edge=0.6) for azimuth in (42.0, -138.0))
+    return tuple(
+        Softbox(azimuth, -30.0, (0.8, 0.6), tint, edge=0.5, is_hidden=True)
+        for azimuth in (42.0, -138.0)
+    )
 
 
 ROOMS = {

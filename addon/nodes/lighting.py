@@ -143,13 +143,18 @@ def _room(formula: Formula, direction, room: Room):
         formula.put(grey, socket)
     colour = combined.outputs[0]
     tree = _softbox_group()
+    is_seen = formula.node("ShaderNodeLightPath").outputs["Is Camera Ray"]
+    is_mirrored = formula.number("SUBTRACT", 1.0, is_seen)
     for softbox in room.softboxes:
         node = formula.node("ShaderNodeGroup")
         node.node_tree = tree
         formula.put(direction, node.inputs["Direction"])
         for name, value in _values(softbox).items():
             node.inputs[name].default_value = value
-        added = formula.scaled(here(softbox.radiance), node.outputs[0])
+        part = node.outputs[0]
+        if softbox.is_hidden:
+            part = formula.number("MULTIPLY", part, is_mirrored)
+        added = formula.scaled(here(softbox.radiance), part)
         colour = formula.vector("ADD", colour, added)
     return colour
 
