@@ -63,7 +63,7 @@ def brilliant(name: str) -> bpy.types.Object:
 
 
 def main() -> None:
-    new_scene("courtyard", strength=0.9, turn_deg=90.0, exposure=0.5, bounces=24)
+    new_scene("courtyard", strength=0.32, turn_deg=90.0, exposure=0.6, bounces=24)
     backdrop((0.012, 0.012, 0.016), roughness=0.3)
     for x, y, z, tilt, turn, scale in (
         (0.0, 0.0, 0.668, 49.0, 8.0, 1.0),
@@ -81,7 +81,7 @@ def main() -> None:
             (3.2 * math.cos(angle), 3.2 * math.sin(angle), 3.6 + 0.5 * (index % 3)),
             (0.0, 0.0, 0.6),
             size=0.07,
-            watts=70.0,
+            watts=110.0,
         )
     camera((0.0, -6.2, 3.4), (-0.05, 0.1, 0.6), lens_mm=54.0)
     save(sys.argv[1])

@@ -39,7 +39,7 @@ def disc(material: str, location, rotation_deg) -> None:
 
 def main() -> None:
     material, path = sys.argv[1:]
-    new_scene("studio", strength=2.5, turn_deg=-60.0, exposure=0.1)
+    new_scene("studio", strength=2.5, turn_deg=-60.0, exposure=0.4)
     backdrop((0.02, 0.02, 0.023), roughness=0.45)
     disc(material, (-0.42, 0.0, 0.016), (0.0, 0.0, 0.0))
     disc(material, (0.55, 0.42, 0.56), (68.0, 0.0, -24.0))
@@ -50,7 +50,7 @@ def main() -> None:
         (0.4, 2.6, 2.9),
         (0.6, -2.6, 2.6),
     ):
-        lamp((x, y, z), (0.1, 0.2, 0.3), size=0.12, watts=50.0)
+        lamp((x, y, z), (0.1, 0.2, 0.3), size=0.12, watts=22.0)
     camera((-0.15, -3.2, 1.75), (0.06, 0.1, 0.36), lens_mm=46.0)
     save(path)
 

@@ -16,6 +16,7 @@ import re
 from collections import Counter
 
 import pytest
+from PIL import Image
 
 from support.paths import ROOT
 from support.typed import run
@@ -82,6 +83,17 @@ def test_links_of_the_document_lead_somewhere(document):
     folder = (ROOT / document).parent
     missing = [target for target in targets if not (folder / target).exists()]
     assert not missing
+
+
+def test_pictures_of_the_readme_are_large_and_light():
+    """As `./dev demo --pictures` makes them: sharp on any screen, and few bytes in each clone."""
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    pictures = [ROOT / name for name in re.findall(r'<img src="([^"]+)"', text)]
+    assert len(pictures) == 6
+    assert all(Image.open(path).size == (1200, 800) for path in pictures)
+    sizes = [path.stat().st_size for path in pictures]
+    assert max(sizes) <= 180e3
+    assert sum(sizes) <= 900e3
 
 
 def test_library_page_counts_what_is_there(nacre):
