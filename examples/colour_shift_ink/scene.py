@@ -37,7 +37,7 @@ def main() -> None:
     obj.rotation_euler = (math.radians(72.0), math.radians(14.0), math.radians(10.0))
     wave_material(obj, "colour_shift_ink", roughness=0.2)
     lamp((-3.0, -2.5, 4.5), (0.0, 0.0, 1.2), size=2.0, watts=300.0)
-    camera((0.0, -7.2, 2.2), (0.0, 0.0, 1.28), lens_mm=52.0, f_stop=4.0)
+    camera((0.0, -7.2, 2.2), (0.0, 0.0, 1.34), lens_mm=46.0, f_stop=4.0)
     save(sys.argv[1])
 
 
