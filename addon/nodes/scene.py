@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..core.form import Renderer
+from ..core.form import OSL, Renderer
 from ..core.problems import SceneState
 from .script import has_osl
 
@@ -57,6 +57,17 @@ def use_wavelengths(scene: bpy.types.Scene) -> bool:
         point.location.y = 1.0
     curve.update()
     return changed
+
+
+def serve(scene: bpy.types.Scene, form: str, wavelength_per_path: bool) -> list[str]:
+    """Gives the scene what a material of this form needs; returns what was changed, one sentence each."""
+    said = []
+    if form == OSL and has_osl():
+        if use_osl(scene):
+            said.append("Cycles now renders with Open Shading Language.")
+        if wavelength_per_path and use_wavelengths(scene):
+            said.append("Motion blur is on with a shutter of 0: it carries the wavelengths.")
+    return said
 
 
 def _is_flat(scene: bpy.types.Scene) -> bool:

@@ -7,10 +7,9 @@ from __future__ import annotations
 import bpy
 from bpy.props import BoolProperty, EnumProperty
 
-from ..core.form import AUTO, OSL, choose_form
+from ..core.form import AUTO, choose_form
 from ..core.library import Library
 from ..core.looks import variants
-from ..core.manifest import CompiledMaterial
 from ..nodes import chosen, looks, thickness, thumbnails
 from ..nodes import scene as scene_setup
 from ..nodes.material import create_material, discard_material
@@ -103,8 +102,9 @@ class NACRE_OT_assign_material(bpy.types.Operator):
         thickness.remove_unfollowed()
         chosen.remember(variant.key)
         context.window_manager.nacre.number = list(offered).index(variant.key)
-        said = _describe(context.scene, variant.name, compiled, form, targets)
-        self.report({"INFO"}, " ".join(said))
+        said = [f"{variant.name} assigned to {named(targets)}."]
+        said += scene_setup.serve(context.scene, form, compiled.wavelength_per_path)
+        self.report({"INFO"}, " ".join([*said, *(f"{note}." for note in compiled.notes)]))
         return {"FINISHED"}
 
 
@@ -129,17 +129,6 @@ class NACRE_OT_favourite(bpy.types.Operator):
         words = "is a favourite now" if is_one else "is no favourite any more"
         self.report({"INFO"}, f"{name} {words}.")
         return {"FINISHED"}
-
-
-def _describe(scene, name: str, compiled: CompiledMaterial, form: str, targets: list) -> list[str]:
-    """Sets up the scene, and says what was done to it."""
-    said = [f"{name} assigned to {named(targets)}."]
-    if form == OSL:
-        if scene_setup.use_osl(scene):
-            said.append("Cycles now renders with Open Shading Language.")
-        if compiled.wavelength_per_path and scene_setup.use_wavelengths(scene):
-            said.append("Motion blur is on with a shutter of 0: it carries the wavelengths.")
-    return [*said, *(f"{note}." for note in compiled.notes)]
 
 
 def named(targets: list[bpy.types.Object]) -> str:

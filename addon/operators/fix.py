@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 from bpy.props import EnumProperty
 
-from ..core.form import OSL, choose_form
+from ..core.form import choose_form
 from ..core.library import Library
 from ..nodes import group as groups
 from ..nodes import scene as scene_setup
@@ -115,10 +115,7 @@ class NACRE_OT_rebuild_material(bpy.types.Operator):
         rebuild_material(material, compiled, form)
         if made_from is not None:
             group_node(material).node_tree[groups.RECIPE] = made_from.digest
-        if form == OSL:
-            scene_setup.use_osl(context.scene)
-            if compiled.wavelength_per_path:
-                scene_setup.use_wavelengths(context.scene)
+        scene_setup.serve(context.scene, form, compiled.wavelength_per_path)
         return {"FINISHED"}
 
 

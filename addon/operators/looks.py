@@ -10,12 +10,10 @@ import bpy
 from bpy.props import BoolProperty, StringProperty
 
 from ..core import file_names
-from ..core.form import OSL
 from ..core.thickness import CURVE, POINT
 from ..nodes import look_file, my_looks, painting, thickness
 from ..nodes import scene as scene_setup
 from ..nodes.material import describe, group_node
-from ..nodes.script import has_osl
 from ..nodes.subject import active_material
 from ..output import OutputError
 from .assign import named, put, takers
@@ -227,10 +225,7 @@ def _assign(context, material: bpy.types.Material) -> None:
         put(target, material, False)
     thickness.remove_unfollowed()
     state = describe(material)
-    if state.form == OSL and has_osl():
-        scene_setup.use_osl(scene)
-        if state.wavelength_per_path:
-            scene_setup.use_wavelengths(scene)
+    scene_setup.serve(scene, state.form, state.wavelength_per_path)
     my_looks.drive(material, scene)
     if context.object is None or context.object.active_material != material:
         return

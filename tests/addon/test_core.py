@@ -14,7 +14,6 @@ from nacre_extension.core import colour_names
 from nacre_extension.core.form import FormError, Renderer, choose_form
 from nacre_extension.core.library import Library
 from nacre_extension.core.manifest import ManifestError, load_folder
-from nacre_extension.core.media import meant
 from nacre_extension.core.messages import spoken
 from nacre_extension.core.oso import (
     OsoError,
@@ -485,36 +484,3 @@ def test_colours_along_a_range_name_each_once_in_its_middle():
     # A clear film is named as an eye sees it that has grown used to it.
     dim = [[0.05 * channel for channel in colour] for colour in colours]
     assert colour_names.along(values, dim) == "salmon at 35, blue at 50"
-
-
-MEDIA = (
-    ("air", ""),
-    ("Cu/Johnson", "Copper"),
-    ("TiO2/Devore", "Titanium dioxide, rutile"),
-    ("TiO2/Sarkar", "Titanium dioxide, a film"),
-    ("brass/Querry", "Brass, 70 % copper"),
-    ("water/Daimon-20C", "Water, 20 °C"),
-    ("water/Hale", "Water, 25 °C, with absorption"),
-)
-
-
-@pytest.mark.parametrize(
-    ("typed", "wanted"),
-    [
-        ("copper", "Cu/Johnson"),
-        (" Copper ", "Cu/Johnson"),
-        ("cu", "Cu/Johnson"),
-        ("cu/johnson", "Cu/Johnson"),
-        ("AIR", "air"),
-        ("water", "water/Daimon-20C"),
-        ("water, 25 °c, with absorption", "water/Hale"),
-        ("tio2", "TiO2/Devore"),
-        ("rutile", "TiO2/Devore"),
-        # What could be several things, and what is none, is said and not guessed.
-        ("titanium", "titanium"),
-        ("foobar", "foobar"),
-        ("", ""),
-    ],
-)
-def test_a_medium_is_known_by_its_name(typed, wanted):
-    assert meant(typed, MEDIA) == wanted

@@ -4,10 +4,12 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from pathlib import Path
 
 import bpy
+from mathutils import Vector
 from steps import new_file, refused
 
 from jobs.extension import load, module
@@ -91,3 +93,57 @@ scene.world.node_tree.nodes.clear()
 assert lighting.light_of(scene.world) is None
 assert lighting.is_plain(scene.world)
 assert bpy.ops.nacre.light_scene(light="SKY") == {"FINISHED"}
+
+# Cards that things mirror, and that are not seen themselves: towards one the world is as dark as beside it,
+# in a mirror it is bright.
+scene = bpy.context.scene
+seen = module("core.lighting").ROOMS["WINDOW"].softboxes[-1]
+assert seen.is_hidden
+bpy.ops.nacre.light_scene(light="WINDOW")
+for obj in list(scene.objects):
+    bpy.data.objects.remove(obj)
+camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+camera.data.lens = 300.0
+scene.collection.objects.link(camera)
+scene.camera = camera
+
+
+def looking(azimuth_deg: float, elevation_deg: float) -> float:
+    around, up = math.radians(azimuth_deg), math.radians(elevation_deg)
+    towards = Vector(
+        (math.cos(up) * math.cos(around), math.cos(up) * math.sin(around), math.sin(up))
+    )
+    camera.rotation_euler = towards.to_track_quat("-Z", "Y").to_euler()
+    return pixel(scene)
+
+
+def pixel(scene) -> float:
+    scene.render.engine = "CYCLES"
+    scene.cycles.samples = 4
+    scene.render.resolution_x = scene.render.resolution_y = 4
+    scene.render.image_settings.file_format = "OPEN_EXR"
+    scene.render.filepath = str(folder / "pixel.exr")
+    bpy.ops.render.render(write_still=True)
+    image = bpy.data.images.load(scene.render.filepath, check_existing=False)
+    value = image.pixels[0]
+    bpy.data.images.remove(image)
+    return value
+
+
+direct = looking(seen.azimuth_deg, seen.elevation_deg)
+assert direct < 0.1, direct
+# A mirror across the view, which turns it to the other side.
+bpy.ops.mesh.primitive_plane_add(size=4.0)
+mirror = bpy.context.object
+shiny = bpy.data.materials.new("Mirror")
+shiny.use_nodes = True
+shader = shiny.node_tree.nodes["Principled BSDF"]
+shader.inputs["Metallic"].default_value, shader.inputs["Roughness"].default_value = 1.0, 0.0
+shader.inputs["Base Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+mirror.data.materials.append(shiny)
+around = math.radians(seen.azimuth_deg)
+out = Vector((math.cos(around), math.sin(around), 0.0))
+mirror.rotation_euler = out.to_track_quat("Z", "Y").to_euler()
+mirror.location = -3.0 * out + Vector((0.0, 0.0, -3.0 * math.tan(math.radians(30.0))))
+mirrored = looking(seen.azimuth_deg + 180.0, seen.elevation_deg)
+assert mirrored > 5.0 * direct, (direct, mirrored)
