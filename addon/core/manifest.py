@@ -21,6 +21,8 @@ KINDS = ("film", "grating", "glass")
 FORMS = ("osl", "nodes")
 SOCKET_TYPES = ("float", "int", "color", "normal", "tangent")
 DIRECTIONS = ("normal", "tangent")  # left to the geometry where nothing is plugged in
+GEM = "gem"
+"""The tag of what stones are cut from."""
 _TEXT_FIELDS = (
     "id",
     "name",
@@ -88,6 +90,11 @@ class CompiledMaterial:
     @property
     def forms(self) -> tuple[str, ...]:
         return tuple(form for form in FORMS if self.graphs.get(form) is not None)
+
+    @property
+    def is_gem(self) -> bool:
+        """Whether it is made for closed bodies with facets."""
+        return GEM in self.tags
 
     def socket(self, name: str) -> Socket | None:
         return next((socket for socket in self.sockets if socket.name == name), None)

@@ -9,11 +9,11 @@ from typing import Any
 
 import bpy
 
-from ..core.form import OSL
+from ..core.form import NODES, OSL
 from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
 from ..core.space import Matrix, converted
-from . import space
+from . import cut_stone, space
 from .image import drop_unused, is_missing, table_image
 from .script import fill_script_node
 
@@ -61,18 +61,22 @@ _COLUMN, _ROW = 220.0, 190.0
 def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNodeTree:
     """The material's group; one of the same template and shader in the file is used again, unless
     it is linked: that one may change with its own file. Nor is one whose tables are gone."""
+    has_facets = form == NODES and material.is_gem and cut_stone.suits(material.graphs[form])
     for group in bpy.data.node_groups:
         if group.library is not None or group.get(DIGEST) != material.digest:
             continue
         if group.get(FORM) != form or group.get(SCHEMA) != SCHEMA_VERSION:
             continue
+        if has_facets and cut_stone.SHADER not in group.interface.items_tree:
+            continue
         images = (node.image for node in group.nodes if node.type == "TEX_IMAGE")
         if space.is_right(group) and not any(map(is_missing, images)):
             return group
-    graph = material.graphs[form]
     group = bpy.data.node_groups.new(material.name, "ShaderNodeTree")
     try:
-        _fill(group, material, graph)
+        _fill(group, material, material.graphs[form])
+        if has_facets:
+            cut_stone.add(group)
     except Exception:
         bpy.data.node_groups.remove(group)
         drop_unused(material)

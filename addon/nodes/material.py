@@ -12,7 +12,7 @@ import bpy
 from ..core.form import NODES, OSL
 from ..core.manifest import CompiledMaterial
 from ..core.problems import AssignedMaterial
-from . import animation, schema
+from . import animation, cut_stone, schema
 from . import group as groups
 from .image import drop_unused, is_missing
 
@@ -38,6 +38,7 @@ def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material
         raise
     node.name = node.label = compiled.name
     tree.links.new(node.outputs[0], output.inputs["Surface"])
+    cut_stone.show(material, node)
     material.surface_render_method = _render_method(compiled)
     material[groups.SCHEMA] = groups.SCHEMA_VERSION
     material[groups.MATERIAL] = compiled.id
@@ -88,6 +89,7 @@ def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, f
     surface = next(n for n in material.node_tree.nodes if n.type == "OUTPUT_MATERIAL")
     if not surface.inputs["Surface"].is_linked:
         material.node_tree.links.new(node.outputs[0], surface.inputs["Surface"])
+    cut_stone.show(material, node)
     for follow in (*WHEN_MADE, *AFTER_REBUILD):
         follow(material)
 

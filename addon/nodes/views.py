@@ -12,8 +12,8 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..core.fields import SHADED, field
-from . import fields, lamp
-from .material import AFTER_REBUILD
+from . import cut_stone, fields, lamp
+from .material import AFTER_REBUILD, group_node
 
 EMISSION, OUTPUT = "Nacre View", "Nacre View Output"
 _PREVIOUS, _SHOWN = "nacre_previous_output", "nacre_view"
@@ -57,8 +57,11 @@ def choose_lamp(scene: bpy.types.Scene, chosen: bpy.types.Object | None) -> None
 def _put(material: bpy.types.Material, field_id: str, engine: str) -> None:
     tree = material.node_tree
     output = tree.nodes.get(OUTPUT)
+    stone = tree.nodes.get(cut_stone.SHADER)
     if output is None:
         previous = tree.get_output_node(engine)
+        if stone is not None and previous == stone:
+            previous = tree.get_output_node("ALL")
         output = tree.nodes.new("ShaderNodeOutputMaterial")
         output.name = output.label = OUTPUT
         # An output for one engine goes before one for all.
@@ -75,6 +78,8 @@ def _put(material: bpy.types.Material, field_id: str, engine: str) -> None:
     output.location = (emission.location.x + 200.0, emission.location.y)
     colour = node.outputs[field(field_id).name + fields.COLOUR]
     tree.links.new(colour, emission.inputs["Color"])
+    if stone is not None:  # for EEVEE alone, it goes before one for all
+        tree.links.new(emission.outputs[0], stone.inputs["Surface"])
 
 
 def _take_back(material: bpy.types.Material) -> None:
@@ -89,6 +94,7 @@ def _take_back(material: bpy.types.Material) -> None:
         tree.nodes.remove(emission)
     if previous is not None:
         previous.is_active_output = True
+    cut_stone.show(material, group_node(material))
     fields.drop_unused(material)
 
 

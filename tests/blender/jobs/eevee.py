@@ -50,3 +50,27 @@ def atlas(**job) -> None:
     render.image_settings.color_depth = "32"
     render.filepath = job["file"]
     bpy.ops.render.render(write_still=True)
+
+
+def portrait(**job) -> None:
+    """The `material` as its picture has it, without a floor, and with alpha for what it covers: `size`,
+    samples, file."""
+    materials = extension.module("nodes.material")
+    compiled = extension.module("core.library").Library.default().load(job["material"])
+    stage = extension.module("scenes").build_stage("portrait", compiled.look.object)
+    # How images are filtered by their slope depends on the driver.
+    bpy.context.preferences.system.anisotropic_filter = "FILTER_0"
+    scene = stage.scene
+    bpy.data.objects.remove(bpy.data.objects["Floor"])
+    stage.place(materials.create_material(compiled, "nodes"))
+    scene.render.engine = engine(scene)
+    scene.eevee.taa_render_samples = job["samples"]
+    render = scene.render
+    render.film_transparent = True
+    render.resolution_x = render.resolution_y = job["size"]
+    render.resolution_percentage = 100
+    scene.view_settings.view_transform = "AgX"
+    render.image_settings.file_format = "PNG"
+    render.image_settings.color_mode = "RGBA"
+    render.filepath = job["file"]
+    bpy.ops.render.render(write_still=True)
