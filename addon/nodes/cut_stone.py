@@ -33,6 +33,8 @@ _BACK = 0.5
 # Neighbours are apart by turns of the azimuth, so that few facets make an even mean, and a bit of chance.
 _TURNS, _CHANCE_RAD = 3.0, 1.6
 
+_FLAT = "sharp_face"  # Blender's own attribute; there is none where all faces are smooth
+
 
 def suits(graph: Graph) -> bool:
     """Of one interface: glass, or a film on it."""
@@ -58,7 +60,11 @@ def add(group: bpy.types.ShaderNodeTree) -> None:
     through = stone.closure(_REFRACTION, straight, stone.normal)
     group.interface.new_socket(name=SHADER, in_out="OUTPUT", socket_type="NodeSocketShader")
     end = next(node for node in group.nodes if node.type == "GROUP_OUTPUT")
-    formula.put(stone.sum(outside, stone.sum(inside, through)), end.inputs[SHADER])
+    shown = formula.node("ShaderNodeMixShader")
+    formula.put(stone.is_flat(), shown.inputs[0])
+    formula.put(end.inputs[0].links[0].from_socket, shown.inputs[1])
+    formula.put(stone.sum(outside, stone.sum(inside, through)), shown.inputs[2])
+    formula.put(shown.outputs[0], end.inputs[SHADER])
 
 
 def show(material: bpy.types.Material, node: bpy.types.ShaderNodeGroup) -> None:
@@ -122,6 +128,11 @@ class _Stone:
         reflected = fresnel.outputs[0]
         passed = self.formula.vector("SUBTRACT", (1.0, 1.0, 1.0), reflected)
         return reflected, passed, self.closure(_GLOSSY, reflected, self.normal)
+
+    def is_flat(self) -> bpy.types.NodeSocket:
+        """1 on faces that are shaded flat. Most of the light passes through what is round, as EEVEE has it
+        without any facets."""
+        return self.formula.node("ShaderNodeAttribute", attribute_name=_FLAT).outputs["Fac"]
 
     def facet(self) -> tuple[bpy.types.NodeSocket, bpy.types.NodeSocket]:
         """The normal by which a mirror shows what is seen in the virtual facet, and a number by chance,

@@ -55,5 +55,16 @@ def test_eevee_shows_a_cut_stone_as_it_is_pictured(shown, stone):
     assert 0.7 < contrast[1] / contrast[0] < 1.5
 
 
+def test_what_is_round_has_no_facets(shown):
+    pictures = []
+    for plain in (False, True):
+        file = shown.folder / f"ball-{plain}.png"
+        given = {"material": "mystic_topaz", "object": "ball", "size": 48, "samples": 4}
+        shown.call("eevee.portrait", plain=plain, file=str(file), **given)
+        pictures.append(read_image(file))
+    assert np.std(pictures[0]) > 0.05
+    assert np.abs(pictures[0] - pictures[1]).max() < 0.01
+
+
 def test_cut_stones_have_an_output_for_eevee(blender, tmp_path):
     blender.with_environment(NACRE_MATERIALS=str(materials_folder())).script("cut_stones", tmp_path)

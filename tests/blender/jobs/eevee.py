@@ -54,15 +54,22 @@ def atlas(**job) -> None:
 
 def portrait(**job) -> None:
     """The `material` as its picture has it, without a floor, and with alpha for what it covers: `size`,
-    samples, file."""
+    samples, file; on another `object`; `plain`: as EEVEE shows it without an output of its own."""
     materials = extension.module("nodes.material")
     compiled = extension.module("core.library").Library.default().load(job["material"])
-    stage = extension.module("scenes").build_stage("portrait", compiled.look.object)
+    stage = extension.module("scenes").build_stage(
+        "portrait", job.get("object", compiled.look.object)
+    )
     # How images are filtered by their slope depends on the driver.
     bpy.context.preferences.system.anisotropic_filter = "FILTER_0"
     scene = stage.scene
-    bpy.data.objects.remove(bpy.data.objects["Floor"])
-    stage.place(materials.create_material(compiled, "nodes"))
+    if "Floor" in bpy.data.objects:
+        bpy.data.objects.remove(bpy.data.objects["Floor"])
+    material = materials.create_material(compiled, "nodes")
+    if job.get("plain"):
+        outputs = material.node_tree.nodes
+        outputs.remove(next(node for node in outputs if getattr(node, "target", "") == "EEVEE"))
+    stage.place(material)
     scene.render.engine = engine(scene)
     scene.eevee.taa_render_samples = job["samples"]
     render = scene.render
