@@ -218,6 +218,21 @@ refused(
 )
 assert len(material.node_tree.nodes) == nodes
 
+# Dropped onto a panel, a picture makes its source, or takes the place of the one that is there.
+bpy.ops.nacre.remove_thickness()
+for drop in module("ui.drops").CLASSES:
+    kind = getattr(bpy.ops.nacre, drop.bl_import_operator.partition(".")[2]).get_rna_type()
+    assert kind.properties["filepath"].is_skip_save
+    assert not drop.poll_drop(bpy.context)  # there is no panel
+for _ in range(2):
+    dropped = bpy.ops.nacre.open_thickness_image("INVOKE_DEFAULT", filepath=picture.filepath_raw)
+    assert dropped == {"FINISHED"}
+    assert thickness.image_node(*thickness.sources_of(material)).image == image
+refused(
+    lambda: bpy.ops.nacre.open_thickness_image("INVOKE_DEFAULT", filepath=str(folder / "none.png")),
+    "none.png",
+)
+
 # Switching the form keeps what feeds the thickness.
 assert bpy.ops.nacre.rebuild_material(form="osl") == {"FINISHED"}
 assert len(thickness.sources_of(material)) == 1
