@@ -27,6 +27,7 @@ class _Job:
     folder: Path
     done: int = 0
     count: int = 0
+    shown: int = -1  # how many were done when panels were last drawn
     said: list[str] = field(default_factory=list)
 
 
@@ -81,7 +82,9 @@ def look() -> float | None:
         return None
     job = _jobs[0]
     status = job.process.poll()
-    redraw_panels()
+    if status is not None or job.done != job.shown:
+        job.shown = job.done
+        redraw_panels()
     if status is None:
         return _POLL
     _jobs.clear()

@@ -30,6 +30,11 @@ def follow_curve(objects: Iterable[bpy.types.Object], curve: bpy.types.Object) -
         obj.update_tag()
 
 
+def is_used() -> bool:
+    """Whether anything in the file can follow a curve."""
+    return any(_GROUP in group for group in bpy.data.node_groups)
+
+
 def modifier_of(obj: bpy.types.Object) -> bpy.types.Modifier | None:
     found = (item for item in obj.modifiers if item.type == "NODES" and item.node_group)
     return next((item for item in found if _GROUP in item.node_group), None)

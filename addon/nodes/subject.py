@@ -25,13 +25,16 @@ def active_material(context) -> bpy.types.Material | None:
 
 
 def _follower(context, obj: bpy.types.Object) -> bpy.types.Object | None:
-    if obj.type not in ("EMPTY", "CURVE"):
+    around: set[bpy.types.Material] = set()
+    if obj.type in ("EMPTY", "CURVE"):
+        around = set(thickness.followers(obj))
+    is_followed = obj.type == "CURVE" and heat.is_used()
+    if not around and not is_followed:
         return None
-    around = set(thickness.followers(obj))
     for other in context.scene.objects:
         material = other.active_material
-        if material is None or group_node(material) is None:
+        if group_node(material) is None:
             continue
-        if material in around or heat.curve_of(other) == obj:
+        if material in around or (is_followed and heat.curve_of(other) == obj):
             return other
     return None

@@ -22,6 +22,7 @@ from ..core.thickness import (
     default_thickness,
     source,
 )
+from . import group as groups
 from . import heat
 from .image import hold_as_data
 from .material import group_node, input_socket, interface_item
@@ -147,12 +148,14 @@ def remove_sources(material: bpy.types.Material) -> None:
 def remove_unfollowed() -> None:
     """What was made for sources that are gone, or whose material nothing has any more: empties, curves
     and the modifiers that measure from them."""
-    following = set(filter(_follows_curve, bpy.data.materials))
-    heat.release(
-        obj
-        for obj in bpy.data.objects
-        if obj.is_editable and not any(slot.material in following for slot in obj.material_slots)
-    )
+    if heat.is_used():
+        following = set(filter(_follows_curve, bpy.data.materials))
+        heat.release(
+            obj
+            for obj in bpy.data.objects
+            if obj.is_editable
+            and not any(slot.material in following for slot in obj.material_slots)
+        )
     for obj in [obj for obj in bpy.data.objects if MADE_HERE in obj and obj.is_editable]:
         if not followers(obj) and not any(
             heat.curve_of(other) == obj for other in bpy.data.objects
@@ -174,11 +177,14 @@ def followed(node: bpy.types.ShaderNodeGroup) -> bpy.types.Object | None:
 
 
 def followers(obj: bpy.types.Object) -> list[bpy.types.Material]:
-    """Materials in use with a source that lies around an object."""
+    """Materials in use with a source that lies around an object. Panels ask this at each redraw: what is not
+    ours is not looked into."""
     return [
         material
         for material in bpy.data.materials
-        if material.users and any(followed(node) == obj for node in sources_of(material))
+        if groups.MATERIAL in material
+        and material.users
+        and any(followed(node) == obj for node in sources_of(material))
     ]
 
 
