@@ -70,15 +70,13 @@ def _of(tint: tuple[float, float, float], power: float) -> tuple[float, float, f
     return tuple(power * channel for channel in tint)
 
 
-def _cards(power: float) -> tuple[Softbox, ...]:
-    """Two dim cards below the horizon, as photographers hold them beside a thing: its upright faces, which
-    the default camera looks down on, mirror what would be dark floor. Clear films keep a dark ground."""
-    tint = _of(_WHITE, power)
-    return tuple(
-        Softbox(azimuth, -30.0, (0.8, 0.6), tint, edge=0.5, is_hidden=True)
-        for azimuth in (42.0, -138.0)
-    )
-
+# Two dim cards below the horizon, as photographers hold them beside a thing: its upright faces, which the
+# default camera looks down on, mirror what would be dark floor. Clear films keep a dark ground. Brighter ones
+# would part what stands on a floor, which hides them, from what stands on none.
+_CARDS = tuple(
+    Softbox(azimuth, -30.0, (0.8, 0.6), _of(_WHITE, 0.3), edge=0.5, is_hidden=True)
+    for azimuth in (42.0, -138.0)
+)
 
 ROOMS = {
     "STUDIO": Room(
@@ -89,7 +87,7 @@ ROOMS = {
             Softbox(-42.0, 78.0, (0.9, 0.6), _of(_WHITE, 7.0), edge=0.25, falloff=0.35),
             Softbox(-125.0, 18.0, (0.16, 0.9), _of(_COOL, 6.0), edge=0.2, falloff=0.2),
             Softbox(40.0, 18.0, (0.16, 0.9), _of(_WARM, 6.0), edge=0.2, falloff=0.2),
-            *_cards(0.9),
+            *_CARDS,
         ),
     ),
     "SOFTBOXES": Room(
@@ -100,7 +98,7 @@ ROOMS = {
             Softbox(-95.0, 40.0, (0.5, 0.5), _of(_WHITE, 9.0), falloff=0.3),
             Softbox(15.0, 25.0, (0.25, 0.7), _of(_WARM, 7.0), falloff=0.2),
             Softbox(150.0, 35.0, (0.6, 0.4), _of(_COOL, 6.0), falloff=0.2),
-            *_cards(0.5),
+            *_CARDS,
         ),
     ),
     "WINDOW": Room(
@@ -110,7 +108,7 @@ ROOMS = {
         softboxes=(
             Softbox(-100.0, 28.0, (0.42, 0.6), _of(_COOL, 9.0), (2, 3), 0.015, 0.15),
             Softbox(60.0, 24.0, (0.2, 0.3), _of(_WARM, 3.0), (2, 2), 0.02, 0.15),
-            *_cards(0.5),
+            *_CARDS,
         ),
     ),
 }

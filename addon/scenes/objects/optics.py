@@ -192,8 +192,16 @@ def lantern(scene: bpy.types.Scene) -> Portrayed:
     knots = [sphere(scene, "Knot", tuple(point), 0.022, rings=12) for point in at]
     for part in (*bars, *knots):
         part.data.materials.append(lead)
-    pose([body, *bars, *knots], turn_deg=20.0)
-    return Portrayed((body,), (*bars, *knots), elevation_deg=18.0, light=FOR_CLEAR)
+    pose([body, *bars, *knots], turn_deg=20.0, floats=True)
+    # It hangs before a softbox, which shines through; the others are mirrored.
+    return Portrayed(
+        (body,),
+        (*bars, *knots),
+        elevation_deg=-14.0,
+        light=FOR_CLEAR,
+        light_turn_deg=106.0,
+        floats=True,
+    )
 
 
 def _rounded(corners):

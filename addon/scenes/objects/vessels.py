@@ -153,7 +153,7 @@ def saucepan(scene: bpy.types.Scene) -> Portrayed:
         (0.8, 0.62),
         (0.83, 0.66),
     ]
-    body = heated(lathe(scene, "Pan", _walled(outside, 0.03, 0.03), segments=192))
+    body = heated(lathe(scene, "Pan", _walled(outside, 0.03, 0.03), segments=80))
     body.data.set_sharp_from_angle(angle=math.radians(60.0))
     path = spline([(0.78, 0.0, 0.52), (0.95, 0.0, 0.55), (1.3, 0.0, 0.66), (1.85, 0.0, 0.74)], 10)
     handle = tube(
@@ -161,7 +161,7 @@ def saucepan(scene: bpy.types.Scene) -> Portrayed:
     )
     handle.data.materials.append(plain("Handle", (0.012, 0.012, 0.013), roughness=0.4))
     pose([body, handle], turn_deg=-28.0)
-    return Portrayed((body,), (handle,), elevation_deg=30.0, fill=0.9)
+    return Portrayed((body,), (handle,), elevation_deg=13.0, fill=0.9)
 
 
 def pearls(scene: bpy.types.Scene) -> Portrayed:
