@@ -21,6 +21,10 @@ def test_thickness_varies(blender, tmp_path):
     blender.script("thickness", tmp_path)
 
 
+def test_sources_lie_upon_others(blender):
+    blender.script("sources")
+
+
 def test_materials_are_in_the_asset_browser(blender):
     blender = blender.with_materials("tempered_steel", "water")
     blender.script("assets")

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 
 import bpy
-import numpy as np
+from measured import camera_over_cube, close, measure, measure_all
 from steps import new_file, refused
 
 from jobs.extension import load, module
@@ -22,60 +22,8 @@ SOURCES = module("core.thickness").SOURCES
 folder = Path(sys.argv[1])
 
 
-def close(a: float, b: float, tolerance: float = 1e-3) -> bool:
-    return abs(a - b) <= tolerance * max(1.0, abs(b))
-
-
-def measure(node, values: dict, at=(0.0, 0.0, 0.0)) -> float:
-    """What a source gives at a place."""
-    return measure_all(node, values, 4, at)[0]
-
-
-def measure_all(node, values: dict, size: int, at=(0.0, 0.0, 0.0)) -> list[float]:
-    """What a source gives at each pixel of a square: rendered as emission, one sample each."""
-    for name, value in values.items():
-        node.inputs[name].default_value = value
-    tree = node.id_data
-    for name in ("probe", "probe out", "probe at"):
-        if name in tree.nodes:
-            tree.nodes.remove(tree.nodes[name])
-    emission = tree.nodes.new("ShaderNodeEmission")
-    emission.name = "probe"
-    output = tree.nodes.new("ShaderNodeOutputMaterial")
-    output.name = "probe out"
-    output.is_active_output = True
-    tree.links.new(node.outputs[0], emission.inputs["Strength"])
-    tree.links.new(emission.outputs[0], output.inputs["Surface"])
-    if "Vector" in node.inputs:
-        place = tree.nodes.new("ShaderNodeCombineXYZ")
-        place.name = "probe at"
-        for socket, value in zip(place.inputs, at, strict=True):
-            socket.default_value = value
-        tree.links.new(place.outputs[0], node.inputs["Vector"])
-    scene = bpy.context.scene
-    scene.cycles.samples = 1
-    scene.cycles.use_denoising = False
-    scene.cycles.shading_system = False
-    scene.render.resolution_x = scene.render.resolution_y = size
-    scene.render.image_settings.file_format = "OPEN_EXR"
-    scene.render.image_settings.color_depth = "32"
-    scene.render.filepath = str(folder / "probe.exr")
-    bpy.ops.render.render(write_still=True)
-    image = bpy.data.images.load(scene.render.filepath, check_existing=False)
-    reds = list(image.pixels[:])[::4]
-    bpy.data.images.remove(image)
-    return reds
-
-
-cube = new_file()
+cube = camera_over_cube()
 scene = bpy.context.scene
-scene.render.engine = "CYCLES"
-camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
-camera.location.z = 5.0
-camera.data.type = "ORTHO"
-camera.data.ortho_scale = 1.0
-scene.collection.objects.link(camera)
-scene.camera = camera
 refused(lambda: bpy.ops.nacre.add_thickness(source="drop"), "no thickness")
 bpy.ops.nacre.assign_material(material="test_film", form="nodes")
 material = cube.active_material
@@ -307,90 +255,6 @@ assert thickness.sources_of(material) == [drop, gradient]
 assert close(measure(drop, drop_given), 500.0)
 assert close(gradient.inputs["Near"].default_value, 300.0)
 refused(lambda: bpy.ops.nacre.remove_thickness_source(index=7), "no source 7")
-
-# ---- What is added leaves in sight what is there, and says so where it does not.
-labels = {item.id: item.name for item in SOURCES}
-for added, strength in (("noise", 0.5), ("edge", 0.5), ("attribute", 1.0), ("swirl", 1.0)):
-    bpy.ops.nacre.remove_thickness()
-    bpy.ops.nacre.add_thickness(source="gradient")
-    lowest = thickness.sources_of(material)[0]
-    assert lowest.inputs["Strength"].default_value == 1.0
-    bpy.ops.nacre.add_thickness(source=added)
-    upper = thickness.sources_of(material)[0]
-    assert upper.inputs["Strength"].default_value == strength, added
-    covers = added == "attribute"
-    assert thickness.covered([upper, lowest]) == ({1} if covers else set()), added
-bpy.ops.nacre.remove_thickness()
-for name in ("gradient", "drop", "noise"):
-    bpy.ops.nacre.add_thickness(source=name)
-nodes = thickness.sources_of(material)
-nodes[0].inputs["Strength"].default_value = 1.0
-assert thickness.covered(nodes) == {1, 2}
-nodes[0].inputs["On"].default_value = False
-assert thickness.covered(nodes) == set()
-
-# Heat upon heat: of one heating after another the squares of the oxide add up.
-bpy.ops.nacre.remove_thickness()
-bpy.ops.nacre.add_thickness(source="temperature")
-bpy.ops.nacre.add_thickness(source="heat_point")
-torch, end = thickness.sources_of(material)
-# The panel's material stays in view while the empty is moved.
-subject = module("nodes.subject")
-bpy.context.view_layer.objects.active = thickness.followed(torch)
-assert subject.subject(bpy.context) == cube
-assert subject.active_material(bpy.context) == material
-bpy.context.view_layer.objects.active = cube
-assert torch.inputs["Grows Upon Below"].default_value
-assert not end.inputs["Grows Upon Below"].default_value
-assert thickness.covered([torch, end]) == set()
-hot = {"Hottest": 280.0, "Coldest": 280.0, "Grown": 30.0, "At": 280.0}
-for name, value in hot.items():
-    end.inputs[name].default_value = value
-assert close(measure(torch, {**hot, "Grown": 40.0}), 50.0)
-assert close(measure(torch, {"Grows Upon Below": False}), 40.0)
-torch.inputs["Grows Upon Below"].default_value = True
-assert bpy.ops.nacre.remove_thickness_source(index=1) == {"FINISHED"}
-assert close(measure(torch, {}), 40.0)  # there is nothing left to grow upon
-
-# What was made for the heat goes with it; an empty of the artist's own does not.
-bpy.ops.nacre.remove_thickness()
-bpy.ops.nacre.add_thickness(source="heat_point")
-own_point = bpy.data.objects.new("Torch", None)
-bpy.context.collection.objects.link(own_point)
-torch = thickness.sources_of(material)[0]
-made = thickness.followed(torch).name
-thickness.feed_of(torch, "TEX_COORD", "Vector").object = own_point
-bpy.ops.nacre.remove_thickness()
-assert made not in bpy.data.objects
-assert "Torch" in bpy.data.objects
-bpy.data.objects.remove(own_point)
-bpy.context.view_layer.objects.active = cube
-bpy.ops.nacre.add_thickness(source="heat_curve")
-curve = module("nodes.heat").curve_of(cube)
-bpy.context.view_layer.objects.active = curve
-assert subject.subject(bpy.context) == cube
-bpy.context.view_layer.objects.active = cube
-bpy.ops.nacre.remove_thickness()
-assert not cube.modifiers
-assert not [obj for obj in bpy.data.objects if obj.type in ("EMPTY", "CURVE")]
-assert not bpy.data.curves
-
-# On the balls of variations sources lie as their nodes do.
-fields = module("core.ball_fields")
-specs = {item.id: item for item in SOURCES}
-for name in ("gradient", "temperature", "drainage", "height"):
-    node = alone(name)
-    values = {
-        socket.name: tuple(socket.default_value)
-        if socket.type == "VECTOR"
-        else socket.default_value
-        for socket in node.inputs
-    }
-    for normal in ((0.36, 0.48, 0.8), (-0.6, 0.64, 0.48), (0.48, -0.6, 0.64)):
-        x, z, y = normal[0], normal[1], -normal[2]
-        at = (x, y, z) if name == "height" else [(part + 1.0) / 2.0 for part in (x, y, z)]
-        drawn = fields.thickness([(specs[name], values)], 0.0, np.array(normal))
-        assert close(measure(node, {}, at), float(drawn), 2e-3), (name, normal)
 
 # What an artist's own nodes feed stays below all.
 bpy.ops.nacre.remove_thickness()
