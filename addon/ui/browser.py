@@ -10,6 +10,7 @@ from ..core.form import OSL
 from ..core.library import Entry, Library
 from ..core.looks import variants
 from ..nodes import chosen, lighting, thumbnails
+from ..nodes.material import group_node
 from ..nodes.script import has_osl
 from ..nodes.subject import active_material
 from . import wrapped
@@ -60,6 +61,10 @@ class NACRE_PT_viewport(Documented, bpy.types.Panel):
         favourites = chosen.favourites(offered)
         star = "SOLO_ON" if chosen_one.key in favourites else "SOLO_OFF"
         row.operator("nacre.favourite", text="", icon=star).material = chosen_one.key
+        # Here, where it is seen without scrolling; what was taken has a panel.
+        is_dark = lighting.is_plain(context.scene.world)
+        if is_dark and group_node(active_material(context)) is not None:
+            draw_light(layout, context.scene)
 
 
 class NACRE_PT_viewport_shelf(Documented, bpy.types.Panel):
@@ -125,10 +130,7 @@ class NACRE_PT_viewport_light(Documented, bpy.types.Panel):
 
     @classmethod
     def poll(cls, context):
-        """While there is a light, or something that could do with one."""
-        world = context.scene.world
-        is_lit = lighting.light_of(world) is not None
-        return is_lit or (lighting.is_plain(world) and NACRE_PT_viewport_material.poll(context))
+        return lighting.light_of(context.scene.world) is not None
 
     def draw(self, context):
         draw_light(self.layout, context.scene)

@@ -70,7 +70,7 @@ def drawn(material):
     said, buttons = [], []
     browser.choice = material
     assert browser.choice == material
-    context = SimpleNamespace(window_manager=bpy.context.window_manager)
+    context = bpy.context
     panel.NACRE_PT_viewport.draw(SimpleNamespace(layout=Layout(said, buttons)), context)
     return " ".join(text for text, _ in said), {icon for _, icon in said}, dict(reversed(buttons))
 
