@@ -89,6 +89,21 @@ std::string kind_name(const Context& context)
     return kNames[context.source->kind.index()];
 }
 
+/// What other programs may ask of a material without knowing its kind; see manifest.md.
+Json traits(const Context& context)
+{
+    const bool film = std::holds_alternative<material::StackSpec>(context.source->kind);
+    const bool body = std::holds_alternative<material::GlassSpec>(context.source->kind);
+    return {{"stage", "shaderball"},
+            {"editable_stack", film},
+            {"probe", film},
+            {"closures", {{{"output", "BSDF"}, {"role", "surface"}}}},
+            {"truth", film   ? Json("stack")
+                      : body ? Json("white")
+                             : Json(nullptr)},
+            {"furnace", body ? "body" : "surface"}};
+}
+
 Json manifest(const Context& context)
 {
     const material::MaterialTemplate& source = *context.source;
@@ -110,6 +125,7 @@ Json manifest(const Context& context)
                 {"observer", context.observer},
                 {"adaptation", context.adaptation},
                 {"wavelength_per_path", context.wavelengths.has_value()},
+                {"traits", traits(context)},
                 {"gamut", gamut_entry(context)},
                 {"sockets", Json::array()},
                 {"tables", Json::array()},
