@@ -18,7 +18,8 @@ set(NACRE_ALLOWED_optics spectral)
 set(NACRE_ALLOWED_lut optics)
 set(NACRE_ALLOWED_material core)
 set(NACRE_ALLOWED_oslgen material)
-set(NACRE_ALLOWED_pipeline lut oslgen)
+set(NACRE_ALLOWED_kinds lut oslgen)
+set(NACRE_ALLOWED_pipeline kinds)
 
 # nacre_unity(TARGET SIZE)
 #
@@ -39,7 +40,7 @@ function(nacre_module name)
         if(NOT dependency IN_LIST NACRE_ALLOWED_${name})
             message(FATAL_ERROR "module ${name} must not depend on ${dependency}: "
                                 "the directions are core <- spectral <- optics <- lut, "
-                                "core <- material <- oslgen, pipeline -> lut, oslgen")
+                                "core <- material <- oslgen, lut, oslgen <- kinds <- pipeline")
         endif()
     endforeach()
 

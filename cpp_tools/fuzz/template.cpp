@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "nacre/material/template.h"
+#include "nacre/kinds/template.h"
 #include "fuzz_target.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     return nacre::fuzz::run(data, size, [](std::string_view text) {
-        (void)nacre::material::parse_template(text, "input.toml");
+        (void)nacre::kinds::parse_template(text, "input.toml");
     });
 }

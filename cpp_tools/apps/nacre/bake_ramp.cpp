@@ -107,12 +107,11 @@ std::string csv_text(const Ramp& ramp)
     return text;
 }
 
-lut::FilmTableRequest film_request(const material::MaterialTemplate& source,
+lut::FilmTableRequest film_request(const kinds::MaterialTemplate& source,
                                    const ResolvedTableOptions& table)
 {
-    if (!std::holds_alternative<material::StackSpec>(source.kind))
-        throw InputError({source.file, 0, "", "must be a film: gratings and glasses have no ramp"});
-    lut::FilmTableRequest request = pipeline::film_request(source, table.compile);
+    static_cast<void>(kinds::film_of(source, "must be a film: no other kind has a ramp"));
+    lut::FilmTableRequest request = kinds::film_request(source, table.compile);
     if (!request.variation)
         throw InputError({source.file, 0, "layer",
                           "must have a thickness that varies, or the stack a scale: a ramp runs "
@@ -123,7 +122,7 @@ lut::FilmTableRequest film_request(const material::MaterialTemplate& source,
 int bake(const Session& session, const BakeOptions& options)
 {
     const RampFormat format = ramp_format(options.output);
-    const material::MaterialTemplate source = read_template_input(options.input);
+    const kinds::MaterialTemplate source = read_template_input(options.input);
     const ResolvedTableOptions table = resolve(options.table);
     check_writable(options.output);
     const std::string text = ramp_text(source, options.ramp, table, format);
@@ -143,7 +142,7 @@ RampFormat ramp_format(const std::string& output)
     throw InputError({output, 0, "-o", "must end in .cube, .spi1d or .csv"});
 }
 
-std::string ramp_text(const material::MaterialTemplate& source, const RampOptions& options,
+std::string ramp_text(const kinds::MaterialTemplate& source, const RampOptions& options,
                       const ResolvedTableOptions& table, RampFormat format)
 {
     const lut::FilmTableRequest request = film_request(source, table);

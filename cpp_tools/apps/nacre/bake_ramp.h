@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "nacre/material/template.h"
+#include "nacre/kinds/template.h"
 #include "table_options.h"
 
 /// @file
@@ -28,7 +28,7 @@ enum class RampFormat { cube, spi1d, csv };
 [[nodiscard]] RampFormat ramp_format(const std::string& output);
 
 /// @throws InputError unless the material is a film in which something varies
-[[nodiscard]] std::string ramp_text(const material::MaterialTemplate& source,
+[[nodiscard]] std::string ramp_text(const kinds::MaterialTemplate& source,
                                     const RampOptions& options, const ResolvedTableOptions& table,
                                     RampFormat format);
 

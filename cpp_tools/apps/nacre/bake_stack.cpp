@@ -44,13 +44,11 @@ attributes of the file: see nacre info.
 int bake(const Session& session, const StackOptions& options)
 {
     const Encoding encoding = table_encoding(options.output, options.table.depth);
-    const material::MaterialTemplate source = read_template_input(options.input);
-    if (!std::holds_alternative<material::StackSpec>(source.kind))
-        throw InputError(
-            {options.input, 0, "", "must be a film: gratings and glasses have no table"});
+    const kinds::MaterialTemplate source = read_template_input(options.input);
+    static_cast<void>(kinds::film_of(source, "must be a film: no other kind has such a table"));
 
     const ResolvedTableOptions resolved = resolve(options.colour);
-    const lut::FilmTableRequest request = pipeline::film_request(source, resolved.compile);
+    const lut::FilmTableRequest request = kinds::film_request(source, resolved.compile);
     TableProvenance provenance = resolved.provenance;
     provenance.stack = stack_json(source);
     provenance.held = held_media(source, resolved.compile);

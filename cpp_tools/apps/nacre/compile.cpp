@@ -33,13 +33,13 @@ whole, and none is touched unless all templates compile. Equal input gives equal
   nacre compile my_film.toml --tolerance 0.05 --space lin_rec2020_scene -o materials)";
 
 struct Job {
-    material::MaterialTemplate source;
+    kinds::MaterialTemplate source;
     pipeline::CompiledMaterial compiled;
 };
 
-std::vector<material::MaterialTemplate> read_all(const std::vector<std::string>& inputs)
+std::vector<kinds::MaterialTemplate> read_all(const std::vector<std::string>& inputs)
 {
-    std::vector<material::MaterialTemplate> sources;
+    std::vector<kinds::MaterialTemplate> sources;
     DiagnosticList problems;
     std::set<std::string> ids;
     for (const std::string& input : inputs) {
@@ -58,8 +58,8 @@ std::vector<material::MaterialTemplate> read_all(const std::vector<std::string>&
     return sources;
 }
 
-std::vector<Job> compile_all(std::vector<material::MaterialTemplate> sources,
-                             pipeline::CompileOptions options, Progress& progress)
+std::vector<Job> compile_all(std::vector<kinds::MaterialTemplate> sources,
+                             kinds::CompileOptions options, Progress& progress)
 {
     std::vector<Job> jobs;
     DiagnosticList problems;
@@ -81,19 +81,6 @@ std::vector<Job> compile_all(std::vector<material::MaterialTemplate> sources,
     return jobs;
 }
 
-/// What is behind one table: without the film for the tables of the bare substrate.
-material::MaterialTemplate template_of(const material::MaterialTemplate& source,
-                                       const std::string& table)
-{
-    material::MaterialTemplate result = source;
-    if (table.ends_with("_bare")) {
-        auto& stack = std::get<material::StackSpec>(result.kind);
-        stack.layers.clear();
-        stack.scale.reset();
-    }
-    return result;
-}
-
 /// The smallest file that holds the texels as they are.
 Encoding encoding(const lut::Table& table)
 {
@@ -106,11 +93,12 @@ void write_tables(const fs::path& folder, const Job& job, const ResolvedTableOpt
 {
     TableProvenance provenance = options.provenance;
     for (const lut::Table& table : job.compiled.tables) {
-        const material::MaterialTemplate source = template_of(job.source, table.name);
+        const kinds::MaterialTemplate source =
+            table.role.is_bare ? kinds::without_layers(job.source) : job.source;
         provenance.stack = stack_json(source);
         provenance.held = held_media(source, options.compile);
         write_atomically(
-            folder / fmt::format("{}_{}.exr", job.compiled.id, table.name),
+            folder / fmt::format("{}_{}.exr", job.compiled.id, table.name()),
             encode_image(table_image(table), table_attributes(table, provenance), encoding(table)));
     }
 }
@@ -129,7 +117,7 @@ ordered_json summary(const Job& job, const fs::path& folder)
 {
     ordered_json tables = ordered_json::array();
     for (const lut::Table& table : job.compiled.tables)
-        tables.push_back({{"name", table.name},
+        tables.push_back({{"name", table.name()},
                           {"width", table.x.texels},
                           {"height", table.y.texels},
                           {"error", {{"max", table.error_max}, {"mean", table.error_mean}}}});

@@ -28,7 +28,7 @@ namespace nacre::tool {
 namespace {
 
 namespace fs = std::filesystem;
-using material::MaterialTemplate;
+using kinds::MaterialTemplate;
 
 constexpr const char* kExportHelp = R"(
 Materials are templates of one's own (TEMPLATE.toml), or come from the library (--material ID):
@@ -48,7 +48,7 @@ MaterialTemplate library_template(const std::string& id)
 {
     const std::string name = id + ".toml";
     if (const auto text = find_resource("templates/" + name))
-        return material::parse_template(*text, name);
+        return kinds::parse_template(*text, name);
     throw InputError({"", 0, "--material",
                       fmt::format("must be a material of the library, such as soap_film or "
                                   "tempered_steel (got {})",
@@ -76,18 +76,14 @@ std::vector<MaterialTemplate> read_sources(const ExportOptions& options, Diagnos
     return sources;
 }
 
-/// A glass as what its surface is: two media and nothing in between.
-MaterialTemplate bare_surface(const MaterialTemplate& source)
+/// The film that stands for the material.
+MaterialTemplate film_for(const MaterialTemplate& source, const char* format)
 {
-    const auto* glass = std::get_if<material::GlassSpec>(&source.kind);
-    if (!glass) return source;
-    MaterialTemplate film = source;
-    material::StackSpec stack;
-    stack.ambient.value = material::LibraryMedium{"air"};
-    stack.substrate = glass->medium;
-    film.kind = std::move(stack);
-    film.surface.transmission = true;
-    return film;
+    auto found = source.kind->exported(source);
+    if (const auto* reason = std::get_if<std::string>(&found))
+        throw InputError({source.file, 0, std::string(source.kind->name()),
+                          fmt::format("has no counterpart in {}: {}", format, *reason)});
+    return std::get<MaterialTemplate>(std::move(found));
 }
 
 /// The number that a material has by this name, and what it may be.
@@ -134,29 +130,22 @@ void assign(ExportedMaterial& material, const std::string& text, DiagnosticList&
     *target->value = value;
 }
 
-double default_value(const MaterialTemplate& film)
+double default_value(const kinds::Film& film)
 {
-    const auto& stack = std::get<material::StackSpec>(film.kind);
-    if (const auto layer = stack.varying_layer()) return stack.layers[*layer].thickness_nm.value;
-    return stack.scale ? stack.scale->value : 0.0;
+    if (const auto layer = film.varying_layer()) return film.layers[*layer].thickness_nm.value;
+    return film.scale ? film.scale->value : 0.0;
 }
 
 ExportedMaterial prepared(MaterialTemplate source, const ResolvedTableOptions& table,
                           const char* format)
 {
-    if (std::holds_alternative<material::GratingSpec>(source.kind))
-        throw InputError(
-            {source.file, 0, "grating",
-             fmt::format("has no counterpart in {}: its colours depend on the direction of the "
-                         "light, not only on the angle of view",
-                         format)});
     ExportedMaterial result;
-    result.film = bare_surface(source);
-    result.request = pipeline::film_request(result.film, table.compile);
+    result.film = film_for(source, format);
+    result.request = kinds::film_request(result.film, table.compile);
     result.held = held_media(result.film, table.compile);
-    result.value = default_value(result.film);
+    result.value = default_value(result.stack());
     const auto* roughness = source.parameter("roughness");
-    result.roughness = roughness ? roughness->value : source.surface.roughness;
+    result.roughness = roughness ? roughness->value : source.roughness;
     result.source = std::move(source);
     return result;
 }
@@ -184,13 +173,12 @@ void add_value_options(CLI::App& command, ExportOptions& options)
 
 std::string ExportedMaterial::varying() const
 {
-    if (!request.variation) return {};
-    return request.variation->layer ? "thickness_nm" : "thickness_scale";
+    return film.kind->driven_socket();
 }
 
-bool ExportedMaterial::is_glass() const
+bool ExportedMaterial::is_body() const
 {
-    return std::holds_alternative<material::GlassSpec>(source.kind);
+    return source.kind->traits().is_body;
 }
 
 std::vector<ExportedMaterial> exported_materials(const Session& session,

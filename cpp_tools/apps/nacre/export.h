@@ -11,9 +11,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "nacre/kinds/film.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/lut/iridescence_fit.h"
-#include "nacre/material/template.h"
 #include "table_options.h"
 
 /// @file
@@ -41,9 +41,9 @@ void add_value_options(CLI::App& command, ExportOptions& options);
 
 /// One material at the values that it is exported with.
 struct ExportedMaterial {
-    material::MaterialTemplate source;
-    /// `source`, or for a glass its bare surface as a film without layers.
-    material::MaterialTemplate film;
+    kinds::MaterialTemplate source;
+    /// That stands for it: `source`, or the bare surface of a body as a film without layers.
+    kinds::MaterialTemplate film;
     lut::FilmTableRequest request;  ///< of `film`; what varies keeps its range
     std::vector<spectral::HeldEnds> held;
     double value = 0.0;  ///< of what varies, nm or a factor
@@ -51,11 +51,13 @@ struct ExportedMaterial {
 
     /// `thickness_nm`, `thickness_scale`, or empty where nothing varies.
     [[nodiscard]] std::string varying() const;
-    [[nodiscard]] bool is_glass() const;
+    /// Whether light goes through it: then `film` is its bare surface.
+    [[nodiscard]] bool is_body() const;
+    [[nodiscard]] const kinds::Film& stack() const { return kinds::film_of(film); }
 };
 
 /// Reads, looks up media, with a note where they are held, and applies --set.
-/// @param format  for the message that refuses gratings
+/// @param format  for the message that refuses what has no film
 /// @throws InputError with the problems of every material
 [[nodiscard]] std::vector<ExportedMaterial> exported_materials(const Session& session,
                                                                const ExportOptions& options,

@@ -17,8 +17,8 @@
 namespace nacre::tool {
 namespace {
 
+using kinds::Interior;
 using lut::SphereError;
-using material::Interior;
 using spectral::Vec3;
 
 struct GltfOptions : ExportOptions {
@@ -111,8 +111,8 @@ Vec3 passed_colour(const ExportedMaterial& material, const Fitted& fitted)
 Fitted fit(const ExportedMaterial& material, bool range)
 {
     Fitted result{.film = {}, .values = fitted_values(material, range)};
-    const Interior below = material.film.interior();
-    if (material.is_glass()) {
+    const Interior below = material.stack().interior();
+    if (material.is_body()) {
         const double f0 = f0_of(relative_index(material));
         result.film = {.film_ior = 1.0,
                        .factor = 0.0,
@@ -140,7 +140,7 @@ Fitted fit(const ExportedMaterial& material, bool range)
 /// that of common glass, so that renderers which bend light all the same do so little.
 double base_ior(const ExportedMaterial& material, const Fitted& fitted)
 {
-    if (material.film.interior() != Interior::thin_wall) return relative_index(material);
+    if (material.stack().interior() != Interior::thin_wall) return relative_index(material);
     const double root = std::sqrt(std::ranges::max(fitted.film.base_f0));
     constexpr double kGlass = 1.5;
     return root < 0.2 ? (1.0 + root) / (1.0 - root) : kGlass;
@@ -152,7 +152,7 @@ void add_base(ordered_json& extensions, const ExportedMaterial& material, const 
     const double ior = std::max(1.0, cut(base_ior(material, fitted)));
     extensions["KHR_materials_ior"] = {{"ior", ior}};
     const double f0 = f0_of(ior);
-    if (material.is_glass() || f0 == 0.0) return;
+    if (material.is_body() || f0 == 0.0) return;
     Vec3 colour = fitted.film.base_f0;
     for (double& channel : colour) channel /= f0;
     extensions["KHR_materials_specular"] = {{"specularColorFactor", cut(colour)}};
@@ -174,9 +174,9 @@ void add_iridescence(ordered_json& extensions, const Fitted& fitted)
 void add_interior(ordered_json& extensions, const ExportedMaterial& material)
 {
     extensions["KHR_materials_transmission"] = {{"transmissionFactor", 1.0}};
-    if (material.film.interior() != Interior::solid) return;
+    if (material.stack().interior() != Interior::solid) return;
     extensions["KHR_materials_volume"] = {{"thicknessFactor", 1.0}};
-    if (!material.is_glass()) return;
+    if (!material.is_body()) return;
     const lut::IndexOnGrid& glass = material.request.stack.substrate;
     const double spread = index_at(glass, kLineF).real() - index_at(glass, kLineC).real();
     const double inverse_abbe = spread / (index_at(glass, kLineD).real() - 1.0);
@@ -196,7 +196,7 @@ ordered_json extras_of(const ExportedMaterial& material, const Fitted& fitted,
     extras["error"]["angles_deg"] = {0, 85};
     ordered_json left_out = ordered_json::array();
     if (material.source.parameter("coverage")) left_out.push_back("coverage");
-    if (material.source.surface.anisotropy) left_out.push_back("anisotropy");
+    if (material.stack().anisotropy) left_out.push_back("anisotropy");
     extras["left_out"] = std::move(left_out);
     return extras;
 }
@@ -204,15 +204,15 @@ ordered_json extras_of(const ExportedMaterial& material, const Fitted& fitted,
 ordered_json gltf_material(const ExportedMaterial& material, const Fitted& fitted,
                            const TableProvenance& provenance)
 {
-    const Interior below = material.film.interior();
+    const Interior below = material.stack().interior();
     Vec3 base = fitted.film.base_f0;
     if (fitted.transmits) base = fitted.passed;
-    if (below == Interior::diffuse) base = *material.source.surface.diffuse_base;
+    if (below == Interior::diffuse) base = *material.stack().diffuse_base;
     ordered_json colour = cut(base);
     colour.push_back(1.0);
     ordered_json extensions = ordered_json::object();
     if (below != Interior::opaque) add_base(extensions, material, fitted);
-    if (!material.is_glass()) add_iridescence(extensions, fitted);
+    if (!material.is_body()) add_iridescence(extensions, fitted);
     if (fitted.transmits) add_interior(extensions, material);
     return {{"name", material.source.id},
             {"pbrMetallicRoughness",

@@ -25,8 +25,8 @@ namespace nacre::tool {
 namespace {
 
 namespace fs = std::filesystem;
+using kinds::Interior;
 using lut::SphereError;
-using material::Interior;
 using spectral::Vec3;
 
 constexpr const char* kExportMaterialxHelp = R"(
@@ -71,7 +71,7 @@ std::string words_of(const ExportedMaterial& material, const std::string& error)
 void add_table(Document& document, const ExportedMaterial& material, const lut::Table& table,
                const TableProvenance& provenance)
 {
-    document.files.add(document.folder / fmt::format("{}_{}.exr", material.source.id, table.name),
+    document.files.add(document.folder / fmt::format("{}_{}.exr", material.source.id, table.name()),
                        encode_image(table_image(table),
                                     table_attributes(table, table_provenance(material, provenance)),
                                     {Container::exr, Depth::floating}));
@@ -156,12 +156,12 @@ const char* add_lobes(MaterialXGraph& graph, const ExportedMaterial& material,
         .node("color90", "color3", "reflectance")
         .node("roughness", "vector2", "alpha")
         .value("scatter_mode", "string", "R");
-    switch (material.film.interior()) {
+    switch (material.stack().interior()) {
         case Interior::opaque:
             return "reflection";
         case Interior::diffuse:
             graph.node("oren_nayar_diffuse_bsdf", "base", "BSDF")
-                .value("color", *material.source.surface.diffuse_base);
+                .value("color", *material.stack().diffuse_base);
             graph.node("layer", "both", "BSDF")
                 .node("top", "BSDF", "reflection")
                 .node("base", "BSDF", "base");
@@ -173,7 +173,8 @@ const char* add_lobes(MaterialXGraph& graph, const ExportedMaterial& material,
     add_image(graph, "transmittance", material, "T", space);
     graph.node("dielectric_bsdf", "transmission", "BSDF")
         .node("tint", "color3", "transmittance")
-        .value("ior", material.film.interior() == Interior::solid ? relative_index(material) : 1.0)
+        .value("ior",
+               material.stack().interior() == Interior::solid ? relative_index(material) : 1.0)
         .node("roughness", "vector2", "alpha")
         .value("scatter_mode", "string", "T");
     graph.node("add", "both", "BSDF")
@@ -197,14 +198,14 @@ ordered_json add_table_material(Document& document, const ExportedMaterial& mate
                                 const TableProvenance& provenance)
 {
     const bool passes =
-        material.request.transmittance && material.film.interior() != Interior::diffuse;
+        material.request.transmittance && material.stack().interior() != Interior::diffuse;
     lut::FilmTableRequest request = material.request;
     request.transmittance = passes;
     lut::FilmTables tables = lut::bake_film_tables(request);
     const lut::Table& reflected = tables.reflectance;
     add_table(document, material, reflected, provenance);
     if (passes) {
-        if (material.film.interior() == Interior::solid)
+        if (material.stack().interior() == Interior::solid)
             divide_by_bare(*tables.transmittance, material);
         add_table(document, material, *tables.transmittance, provenance);
     }
@@ -215,7 +216,7 @@ ordered_json add_table_material(Document& document, const ExportedMaterial& mate
     add_values(graph, material);
     add_coordinates(graph, material, reflected);
     graph.finish(add_lobes(graph, material, space_name(provenance)),
-                 material.film.interior() == Interior::thin_wall);
+                 material.stack().interior() == Interior::thin_wall);
     document.lines.push_back(material.source.id + ": " + error);
     return {{"material", material.source.id},
             {"form", "table"},
@@ -230,7 +231,7 @@ constexpr double kTraceOfK = 1e-3;
 std::optional<std::size_t> only_layer(const ExportedMaterial& material)
 {
     const std::vector<lut::SampledLayer>& layers = material.request.stack.layers;
-    if (material.is_glass() || layers.size() != 1 || !layers.front().coherent) return std::nullopt;
+    if (material.is_body() || layers.size() != 1 || !layers.front().coherent) return std::nullopt;
     const bool clear =
         std::ranges::all_of(layers.front().n, [](const auto& n) { return n.imag() <= kTraceOfK; });
     const bool in_air = index_at(material.request.stack.ambient, kLineD).real() < 1.01;
@@ -259,7 +260,7 @@ optics::MaterialXFilm closure_of(const ExportedMaterial& material,
     if (material.request.variation)
         film.film_nm = material.request.variation->layer ? material.value
                                                          : material.value * layer.thickness_nm;
-    if (material.film.interior() == Interior::opaque) {
+    if (material.stack().interior() == Interior::opaque) {
         film.base_n = channel_means(request, [](const auto& n) { return n.real(); });
         film.base_k = channel_means(request, [](const auto& n) { return n.imag(); });
     } else {
@@ -271,7 +272,7 @@ optics::MaterialXFilm closure_of(const ExportedMaterial& material,
 const char* add_closure(MaterialXGraph& graph, const ExportedMaterial& material,
                         const optics::MaterialXFilm& film)
 {
-    const Interior below = material.film.interior();
+    const Interior below = material.stack().interior();
     const bool metal = below == Interior::opaque;
     MaterialXNode lobe = graph.node(metal ? "conductor_bsdf" : "dielectric_bsdf", "film", "BSDF");
     if (metal)
@@ -284,7 +285,7 @@ const char* add_closure(MaterialXGraph& graph, const ExportedMaterial& material,
         .value("thinfilm_ior", film.film_ior);
     if (below != Interior::diffuse) return "film";
     graph.node("oren_nayar_diffuse_bsdf", "base", "BSDF")
-        .value("color", *material.source.surface.diffuse_base);
+        .value("color", *material.stack().diffuse_base);
     graph.node("layer", "both", "BSDF").node("top", "BSDF", "film").node("base", "BSDF", "base");
     return "both";
 }
@@ -307,7 +308,7 @@ ordered_json add_closure_material(Document& document, const ExportedMaterial& ma
     graph.input("roughness", "Roughness", material.roughness, 0.0, 1.0);
     graph.roughness();
     graph.finish(add_closure(graph, material, film),
-                 material.film.interior() == Interior::thin_wall);
+                 material.stack().interior() == Interior::thin_wall);
     document.lines.push_back(name + ": " + words);
     return {{"material", name}, {"form", "closure"}, {"error", error_json(error)}};
 }
@@ -347,7 +348,7 @@ void add_material(Document& document, const ExportedMaterial& material,
                   const TableProvenance& provenance)
 {
     ordered_json forms = ordered_json::array();
-    if (material.is_glass()) {
+    if (material.is_body()) {
         forms.push_back(add_glass(document, material, provenance));
     } else {
         forms.push_back(add_table_material(document, material, provenance));

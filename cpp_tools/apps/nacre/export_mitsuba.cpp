@@ -15,7 +15,7 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
 #include "nacre/core/version.h"
-#include "nacre/pipeline/preview.h"
+#include "nacre/kinds/film_preview.h"
 #include "output.h"
 #include "session.h"
 #include "xml_text.h"
@@ -24,8 +24,8 @@ namespace nacre::tool {
 namespace {
 
 namespace fs = std::filesystem;
+using kinds::Interior;
 using lut::SphereError;
-using material::Interior;
 using spectral::Vec3;
 
 constexpr const char* kExportMitsubaHelp = R"(
@@ -44,7 +44,7 @@ constexpr const char* kPlugin = "nacre_film.py";
 
 /// The film at equal steps of cosθ from 0 to 1.
 struct AngleTable {
-    std::vector<pipeline::FilmSpectrum> rows;
+    std::vector<kinds::FilmSpectrum> rows;
     SphereError error{};  ///< of colours between the rows
 };
 
@@ -56,19 +56,19 @@ double cosine_of(std::size_t row, std::size_t count)
     return std::max(kLeast, static_cast<double>(row) / static_cast<double>(count - 1));
 }
 
-std::vector<pipeline::FilmSpectrum> spectra(const ExportedMaterial& material,
-                                            const ResolvedTableOptions& table, std::size_t count)
+std::vector<kinds::FilmSpectrum> spectra(const ExportedMaterial& material,
+                                         const ResolvedTableOptions& table, std::size_t count)
 {
-    std::vector<pipeline::FilmSpectrum> rows(count);
+    std::vector<kinds::FilmSpectrum> rows(count);
     tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
-        rows[i] = pipeline::film_spectrum(material.film, table.compile, cosine_of(i, count),
-                                          material.value);
+        rows[i] =
+            kinds::film_spectrum(material.film, table.compile, cosine_of(i, count), material.value);
     });
     return rows;
 }
 
 /// Colours between rows are as linear in cosθ as the spectra are.
-Vec3 between(const std::vector<pipeline::FilmSpectrum>& rows, double cos_theta)
+Vec3 between(const std::vector<kinds::FilmSpectrum>& rows, double cos_theta)
 {
     const double place = cos_theta * static_cast<double>(rows.size() - 1);
     const std::size_t below = std::min(static_cast<std::size_t>(place), rows.size() - 2);
@@ -99,7 +99,7 @@ Image spectrum_image(const AngleTable& table, bool transmits)
     Image image{
         static_cast<int>(spectral::kWavelengths), static_cast<int>(table.rows.size()), {"R"}, {}};
     if (transmits) image.channels.emplace_back("T");
-    for (const pipeline::FilmSpectrum& row : table.rows)
+    for (const kinds::FilmSpectrum& row : table.rows)
         for (std::size_t w = 0; w < spectral::kWavelengths; ++w) {
             image.pixels.push_back(static_cast<float>(row.reflectance[w]));
             if (transmits) image.pixels.push_back(static_cast<float>(row.transmittance[w]));
@@ -110,7 +110,7 @@ Image spectrum_image(const AngleTable& table, bool transmits)
 Image colour_image(const AngleTable& table, Vec3 lut::FilmColour::*quantity)
 {
     Image image{static_cast<int>(table.rows.size()), 1, {"R", "G", "B"}, {}};
-    for (const pipeline::FilmSpectrum& row : table.rows)
+    for (const kinds::FilmSpectrum& row : table.rows)
         for (const double channel : row.colour.*quantity)
             image.pixels.push_back(static_cast<float>(channel));
     return image;
@@ -187,7 +187,7 @@ void add_film(Scene& scene, const ExportedMaterial& material, const ResolvedTabl
               const AngleTable& film)
 {
     const std::string& id = material.source.id;
-    const Interior interior = material.film.interior();
+    const Interior interior = material.stack().interior();
     const bool transmits = interior != Interior::opaque;
     const Encoding encoding{Container::exr, Depth::floating};
     const auto encoded = [&](const Image& image, const char* quantity) {
@@ -211,7 +211,7 @@ void add_film(Scene& scene, const ExportedMaterial& material, const ResolvedTabl
     set(bsdf, "alpha", alpha_of(material));
     set(bsdf, "eta", interior == Interior::opaque ? 1.0 : relative_index(material));
     if (interior == Interior::diffuse) {
-        const auto& base = *material.source.surface.diffuse_base;
+        const auto& base = *material.stack().diffuse_base;
         set(bsdf, "rgb", "base", fmt::format("{:.9g}, {:.9g}, {:.9g}", base[0], base[1], base[2]));
     }
     scene.needs_plugin = true;
@@ -265,12 +265,12 @@ void add_material(Scene& scene, const ExportedMaterial& material, const Resolved
     const std::string& id = material.source.id;
     ordered_json summary = provenance_json(material, table.provenance);
     const lut::SampledStack& stack = material.request.stack;
-    if (material.is_glass()) {
+    if (material.is_body()) {
         add_glass(scene, material);
         summary["left_out"] = {"dispersion"};
         scene.lines.push_back(fmt::format("{}: dielectric of n_d {:.5f}, without its dispersion",
                                           id, relative_index(material)));
-    } else if (stack.layers.empty() && material.film.interior() == Interior::opaque &&
+    } else if (stack.layers.empty() && material.stack().interior() == Interior::opaque &&
                index_at(stack.ambient, kLineD).real() < 1.001) {
         add_metal(scene, material);
         scene.lines.push_back(id + ": conductor with n and k each nanometre");

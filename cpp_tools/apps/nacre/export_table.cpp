@@ -36,11 +36,11 @@ is RGBA16F. --csv adds FILE.csv, a row a texel.
   nacre export table my_film.toml --quantity transmittance --csv -o my_film_T.exr)";
 
 /// What the values of the media rest on: one entry a medium of the library.
-ordered_json citations(const material::MaterialTemplate& film)
+ordered_json citations(const kinds::MaterialTemplate& film)
 {
     std::set<std::string> seen;
     ordered_json result = ordered_json::array();
-    for (const material::MediumSpec* medium : film.media()) {
+    for (const material::MediumSpec* medium : film.kind->media()) {
         const auto* entry = std::get_if<material::LibraryMedium>(&medium->value);
         if (!entry || !seen.insert(entry->key).second) continue;
         const std::string& references = spectral::library_medium(entry->key).references;
@@ -117,7 +117,7 @@ int export_table(const Session& session, const TableExport& options)
     const ResolvedTableOptions resolved = resolve(options.table);
     const ExportedMaterial material =
         one_material(exported_materials(session, options, resolved, "a table"));
-    if (material.is_glass())
+    if (material.is_body())
         throw InputError({material.source.file, 0, "glass",
                           "has no table; export it as gltf, "
                           "materialx or mitsuba"});

@@ -42,14 +42,10 @@ Findings check_file(const std::string& file, bool strict_range)
     } else if (extension == ".csv") {
         (void)spectral::read_library_spectrum(read_text(file), file);
     } else if (extension == ".toml" || extension == ".json") {
-        const material::MaterialTemplate source = read_template_input(file);
-        pipeline::CompileOptions options;
+        const kinds::MaterialTemplate source = read_template_input(file);
+        kinds::CompileOptions options;
         options.range = range_rule(strict_range);
-        // Looks up the media; only gratings and glasses are quick enough to compile for it.
-        if (std::holds_alternative<material::StackSpec>(source.kind))
-            (void)pipeline::film_request(source, options);
-        else
-            (void)pipeline::compile(source, options);
+        source.kind->check(source, options);
         return {{}, held_media(source, options)};
     } else {
         throw InputError(
@@ -114,7 +110,7 @@ void add_library(CLI::App& app, Session& session)
     schema->fallthrough()->footer("\n  nacre library schema >template.schema.json");
     schema->callback([&session] {
         session.run = [] {
-            write_text_output("", material::template_json_schema());
+            write_text_output("", kinds::template_json_schema());
             return kExitOk;
         };
     });

@@ -12,7 +12,7 @@
 namespace nacre::tool {
 namespace {
 
-using material::MaterialTemplate;
+using kinds::MaterialTemplate;
 
 constexpr const char* kAnonymous =
     R"({ id = "stack", name = "Stack", category = "Stacks", source = "given as JSON" })";
@@ -62,7 +62,7 @@ MaterialTemplate parse_json_template(const std::string& file)
 {
     const json root = parse_json(read_input(file), file).value;
     try {
-        return material::parse_template(toml_from_json(root, file), file);
+        return kinds::parse_template(toml_from_json(root, file), file);
     } catch (const InputError& error) {
         // Lines of the intermediate text mean nothing to the user.
         std::vector<Diagnostic> diagnostics(error.diagnostics().begin(), error.diagnostics().end());
@@ -126,14 +126,14 @@ MaterialTemplate read_template_input(const std::string& file)
     if (file == "-" || extension == ".json") return parse_json_template(file);
     if (extension != ".toml")
         throw InputError({file, 0, "", "must be a template (.toml) or the JSON of one (.json)"});
-    return material::parse_template(read_text(file), file);
+    return kinds::parse_template(read_text(file), file);
 }
 
 std::string stack_json(const MaterialTemplate& source)
 {
-    const auto& stack = std::get<material::StackSpec>(source.kind);
+    const kinds::Film& stack = kinds::film_of(source);
     ordered_json layers = ordered_json::array();
-    for (const material::LayerSpec& layer : stack.layers) {
+    for (const kinds::LayerSpec& layer : stack.layers) {
         ordered_json entry = medium_json(layer.medium);
         entry["thickness_nm"] = thickness_json(layer.thickness_nm);
         if (!layer.coherent) entry["coherent"] = false;
@@ -143,7 +143,7 @@ std::string stack_json(const MaterialTemplate& source)
                            {"layer", std::move(layers)},
                            {"substrate", medium_json(stack.substrate)}};
     if (stack.scale) result["stack"] = {{"scale", range_json(*stack.scale)}};
-    if (source.surface.transmission) result["surface"] = {{"transmission", true}};
+    if (stack.transmission) result["surface"] = {{"transmission", true}};
     return result.dump();
 }
 

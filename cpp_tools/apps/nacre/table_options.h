@@ -19,7 +19,7 @@ struct TableOptions {
 };
 
 struct ResolvedTableOptions {
-    pipeline::CompileOptions compile;
+    kinds::CompileOptions compile;
     TableProvenance provenance;  ///< the stack is the caller's to add
 };
 

@@ -12,7 +12,7 @@ struct ColourNames {
 };
 
 /// For the colours of a template; refuses what is missing.
-pipeline::CompileOptions compile_options(const char* text, const char* file,
-                                         const ColourNames& colour);
+kinds::CompileOptions compile_options(const char* text, const char* file,
+                                      const ColourNames& colour);
 
 }  // namespace nacre::capi

@@ -8,8 +8,8 @@
 #include "colour_maker.h"
 #include "compile_options.h"
 #include "guard.h"
+#include "nacre/kinds/template.h"
 #include "nacre/lut/film_table.h"
-#include "nacre/material/template.h"
 #include "nacre/pipeline/compile.h"
 #include "nacre/spectral/colour.h"
 #include "result.h"
@@ -96,10 +96,10 @@ nacre_status nacre_compile_template(const char* text, const char* file, const ch
     using namespace nacre;
     return capi::guarded([&] {
         capi::require(result, "result");
-        pipeline::CompileOptions options =
+        kinds::CompileOptions options =
             capi::compile_options(text, file, {illuminant, observer, space, adaptation});
         options.tolerance = tolerance;
-        auto compiled = pipeline::compile(material::parse_template(text, file), options);
+        auto compiled = pipeline::compile(kinds::parse_template(text, file), options);
         *result = new nacre_result{std::move(compiled.id), std::move(compiled.osl),
                                    std::move(compiled.manifest), std::move(compiled.tables)};
     });
@@ -119,7 +119,7 @@ nacre_status nacre_result_table(const nacre_result* result, size_t index, nacre_
             nacre::capi::fail("index",
                               fmt::format("must be < {} (got {})", result->tables.size(), index));
         const nacre::lut::Table& source = result->tables[index];
-        *table = {.name = source.name.c_str(),
+        *table = {.name = source.name().c_str(),
                   .quantity = source.quantity.c_str(),
                   .x_name = source.x.name.c_str(),
                   .y_name = source.y.name.c_str(),

@@ -15,14 +15,12 @@
 #include "colour_maker.h"
 #include "compile_options.h"
 #include "guard.h"
-#include "nacre/material/template.h"
-#include "nacre/pipeline/preview.h"
+#include "nacre/kinds/film_preview.h"
 #include "result.h"
 
 namespace nacre::capi {
 
-pipeline::CompileOptions compile_options(const char* text, const char* file,
-                                         const ColourNames& colour)
+kinds::CompileOptions compile_options(const char* text, const char* file, const ColourNames& colour)
 {
     for (const auto& [pointer, field] : {std::pair{text, "text"},
                                          {file, "file"},
@@ -30,7 +28,7 @@ pipeline::CompileOptions compile_options(const char* text, const char* file,
                                          {colour.observer, "observer"},
                                          {colour.space, "space"}})
         require(pointer, field);
-    pipeline::CompileOptions options;
+    kinds::CompileOptions options;
     options.illuminant = colour.illuminant;
     options.observer = spectral::observer_from_name(colour.observer);
     options.space = colour.space;
@@ -53,14 +51,17 @@ nacre_status nacre_preview_template(const char* text, const char* file, const ch
         capi::require(result, "result");
         const auto options =
             capi::compile_options(text, file, {illuminant, observer, space, adaptation});
-        std::vector<pipeline::TableLayout> layout;
+        std::vector<kinds::TableLayout> layout;
         for (const nacre_table_size& size : std::span(sizes, count)) {
             capi::require(size.name, "sizes.name");
-            layout.push_back({size.name, {size.width, size.height}});
+            const auto role = table_role(size.name);
+            if (!role)
+                capi::fail("sizes.name",
+                           fmt::format("must be the name of a table (got \"{}\")", size.name));
+            layout.push_back({*role, {size.width, size.height}});
         }
         auto made = std::make_unique<nacre_result>();
-        made->tables =
-            pipeline::preview_tables(material::parse_template(text, file), options, layout);
+        made->tables = kinds::preview_tables(kinds::parse_template(text, file), options, layout);
         *result = made.release();
     });
 }
@@ -82,9 +83,9 @@ nacre_status nacre_template_spectrum(const char* text, const char* file, const c
             capi::fail("value", fmt::format("must be ≥ 0 and finite (got {})", value));
         const auto options =
             capi::compile_options(text, file, {illuminant, observer, space, adaptation});
-        const pipeline::FilmSpectrum spectrum =
-            pipeline::film_spectrum(material::parse_template(text, file), options,
-                                    std::cos(angle_deg * std::numbers::pi / 180.0), value);
+        const kinds::FilmSpectrum spectrum =
+            kinds::film_spectrum(kinds::parse_template(text, file), options,
+                                 std::cos(angle_deg * std::numbers::pi / 180.0), value);
         std::ranges::copy(spectrum.reflectance, reflectance);
         std::ranges::copy(spectrum.transmittance, transmittance);
         std::ranges::copy(spectrum.colour.reflectance, colours);

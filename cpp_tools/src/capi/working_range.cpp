@@ -75,7 +75,7 @@ nacre_status nacre_template_held_ends(const char* text, const char* file, const 
         options.range = capi::range_rule(strict_range);
         std::string lines;
         for (const spectral::HeldEnds& held :
-             held_media(material::parse_template(text, file), options))
+             held_media(kinds::parse_template(text, file), options))
             lines += (lines.empty() ? "" : "\n") + held.note();
         *notes = capi::kept(lines);
     });

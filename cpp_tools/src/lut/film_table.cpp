@@ -360,7 +360,7 @@ Table make_table(const Baker& baker, const Baked& baked, bool transmittance)
     const bool scale = variation && !variation->layer;
     constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
     const bool measured = baker.request.measure_error;
-    return {.name = transmittance ? "T" : "R",
+    return {.role = {transmittance ? TableOf::T : TableOf::R},
             .quantity = transmittance ? "transmittance" : "reflectance",
             .x = {"cos_theta", "1", 0.0, 1.0, baked.size.width},
             .y = {scale ? "thickness_scale" : "thickness_nm", scale ? "1" : "nm",

@@ -107,7 +107,7 @@ Table make_table(const FilmTableRequest& request, int height, bool transmittance
 {
     const auto& variation = request.variation;
     const bool scale = variation && !variation->layer;
-    Table table{.name = transmittance ? "T_inner" : "R_inner",
+    Table table{.role = {transmittance ? TableOf::T_inner : TableOf::R_inner},
                 .quantity = transmittance ? "transmittance" : "reflectance",
                 .x = {"cos_theta", "1", 0.0, 1.0, 1},
                 .y = {scale ? "thickness_scale" : "thickness_nm", scale ? "1" : "nm",

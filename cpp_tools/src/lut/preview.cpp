@@ -185,9 +185,9 @@ double further_share(double mean_reflectance, double mean_albedo)
     return F * F * mean_albedo / (1.0 - F * (1.0 - mean_albedo));
 }
 
-Table rough_preview(const Table& smooth, const std::string& name, TexelSize size, int sides)
+Table rough_preview(const Table& smooth, TexelSize size, int sides)
 {
-    Table table = rough_like(smooth, name, size.width, size.height, sides);
+    Table table = rough_like(smooth, TableForm::rough, size.width, size.height, sides);
     table.error_max = table.error_mean = kNotMeasured;
     table.texels.resize(3 * static_cast<std::size_t>(size.width) *
                         static_cast<std::size_t>(size.height));
@@ -198,11 +198,11 @@ Table rough_preview(const Table& smooth, const std::string& name, TexelSize size
 template <class Row>
 RoughTables rough_tables(const FilmTables& smooth, TexelSize size, int sides, Row&& row)
 {
-    RoughTables result{.reflectance = rough_preview(smooth.reflectance, "R_rough", size, sides),
+    RoughTables result{.reflectance = rough_preview(smooth.reflectance, size, sides),
                        .transmittance = {},
                        .further = {}};
     if (smooth.transmittance)
-        result.transmittance = rough_preview(*smooth.transmittance, "T_rough", size, sides);
+        result.transmittance = rough_preview(*smooth.transmittance, size, sides);
     const auto width = static_cast<std::size_t>(size.width);
     tbb::parallel_for(std::size_t{0}, static_cast<std::size_t>(size.height), [&](std::size_t y) {
         const auto colour_at = row(y);

@@ -66,10 +66,9 @@ constexpr int kSmoothLobeTexels = 257;
 
 /// `share` of each of the facets, in grey.
 template <class Share>
-Table lobe_table(const std::string& name, const std::vector<optics::GlassFacets>& facets,
-                 Share&& share)
+Table lobe_table(TableRole role, const std::vector<optics::GlassFacets>& facets, Share&& share)
 {
-    Table table{.name = name,
+    Table table{.role = role,
                 .quantity = "lobe_share",
                 .x = {"cos_theta", "1", 0.0, 1.0, static_cast<int>(facets.size())},
                 .y = {"thickness_nm", "nm", 0.0, 0.0, 1},
@@ -154,9 +153,10 @@ std::vector<Table> bake_lobe_tables(double index, int width)
     };
     const std::vector<optics::GlassFacets> flat = flat_facets(index);
     const auto rough = all_glass_facets(index, static_cast<std::size_t>(width), 2);
-    std::vector<Table> tables{
-        lobe_table("lobe_R", flat, reflected), lobe_table("lobe_R_rough", rough, reflected),
-        lobe_table("lobe_T", flat, passed), lobe_table("lobe_T_rough", rough, passed)};
+    std::vector<Table> tables{lobe_table({TableOf::lobe_R}, flat, reflected),
+                              lobe_table({TableOf::lobe_R, TableForm::rough}, rough, reflected),
+                              lobe_table({TableOf::lobe_T}, flat, passed),
+                              lobe_table({TableOf::lobe_T, TableForm::rough}, rough, passed)};
     for (const std::size_t i : {1, 3}) {
         tables[i].slices = kRoughSlices;
         tables[i].sides = kGlassSides;

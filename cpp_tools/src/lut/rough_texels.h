@@ -187,10 +187,10 @@ RoughErrors measure(const Colours& colours, const RoughTexels& texels,
 }
 
 /// Over the axes of a smooth table, `width` by `height` texels in all; none of them is there yet.
-[[nodiscard]] inline Table rough_like(const Table& smooth, const std::string& name, int width,
-                                      int height, int sides)
+[[nodiscard]] inline Table rough_like(const Table& smooth, TableForm form, int width, int height,
+                                      int sides)
 {
-    Table table{.name = name,
+    Table table{.role = {smooth.role.of, form, smooth.role.is_bare},
                 .quantity = smooth.quantity,
                 .x = smooth.x,
                 .y = smooth.y,
@@ -204,10 +204,10 @@ RoughErrors measure(const Colours& colours, const RoughTexels& texels,
 }
 
 template <class Quantity>
-Table make_rough_table(const Table& smooth, const std::string& name, const RoughTexels& texels,
+Table make_rough_table(const Table& smooth, TableForm form, const RoughTexels& texels,
                        const ErrorStatistics& error, Quantity&& quantity)
 {
-    Table table = rough_like(smooth, name, static_cast<int>(texels.strips * texels.size.width),
+    Table table = rough_like(smooth, form, static_cast<int>(texels.strips * texels.size.width),
                              static_cast<int>(texels.size.height),
                              static_cast<int>(texels.strips) / kRoughSlices);
     table.error_max = error.max;
@@ -227,14 +227,14 @@ RoughTables rough_film_tables(const Colours& colours, const FilmTableRequest& re
 {
     const RoughTexels texels = fill(colours, rough_size(smooth.reflectance));
     const RoughErrors error = measure(colours, texels, ColourError(request.weights.to_xyz_d65));
-    RoughTables result{
-        .reflectance = make_rough_table(smooth.reflectance, "R_rough", texels, error.reflectance,
-                                        [](const RoughColour& at) { return at.film.reflectance; }),
-        .transmittance = {},
-        .further = {}};
+    RoughTables result{.reflectance = make_rough_table(
+                           smooth.reflectance, TableForm::rough, texels, error.reflectance,
+                           [](const RoughColour& at) { return at.film.reflectance; }),
+                       .transmittance = {},
+                       .further = {}};
     if (smooth.transmittance)
         result.transmittance =
-            make_rough_table(*smooth.transmittance, "T_rough", texels, error.transmittance,
+            make_rough_table(*smooth.transmittance, TableForm::rough, texels, error.transmittance,
                              [](const RoughColour& at) { return at.film.transmittance; });
     return result;
 }

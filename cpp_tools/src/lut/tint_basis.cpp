@@ -7,6 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "nacre/spectral/matrix.h"
+#include "nacre/spectral/wavelengths.h"
+
 namespace nacre::lut {
 namespace {
 
@@ -132,6 +135,19 @@ private:
     }
 };
 
+double mean_between(const spectral::Sampled& values, double first_nm, double last_nm)
+{
+    const auto index = [](double nm) {
+        const double at = std::clamp(nm - spectral::kFirstNm, 0.0,
+                                     static_cast<double>(spectral::kWavelengths - 1));
+        return static_cast<std::size_t>(std::lround(at));
+    };
+    const std::size_t first = index(first_nm), last = index(last_nm);
+    double sum = 0.0;
+    for (std::size_t i = first; i <= last; ++i) sum += values[i];
+    return sum / static_cast<double>(last - first + 1);
+}
+
 }  // namespace
 
 std::vector<spectral::Vec3> tint_basis(const WavelengthCells& cells)
@@ -151,6 +167,26 @@ std::vector<spectral::Vec3> tint_basis(const WavelengthCells& cells)
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t c = 0; c < 3; ++c)
             basis[i][c] = metal.reflectance[i] * y[static_cast<Index>(c * n + i)] / tint[c];
+    return basis;
+}
+
+std::vector<spectral::Vec3> tint_basis(const spectral::WavelengthSampling& sampling,
+                                       const spectral::ColourWeights& weights,
+                                       const spectral::Sampled& reflectance)
+{
+    const spectral::Mat3 to_rec709 = spectral::multiply(
+        spectral::colour_space("lin_rec709_scene").from_xyz_d65, weights.to_xyz_d65);
+    WavelengthCells cells;
+    for (std::size_t i = 0; i < sampling.weight.size(); ++i) {
+        const double from = sampling.edges_nm[i], to = sampling.edges_nm[i + 1];
+        cells.nm.push_back(0.5 * (from + to));
+        cells.weight.push_back(spectral::multiply(to_rec709, sampling.weight[i]));
+        cells.reflectance.push_back(mean_between(reflectance, from, to));
+    }
+    std::vector<spectral::Vec3> basis = tint_basis(cells);
+    // tint_709 · b = (M tint) · b = tint · (Mᵀ b)
+    const spectral::Mat3 dual = spectral::transposed(to_rec709);
+    for (spectral::Vec3& triple : basis) triple = spectral::multiply(dual, triple);
     return basis;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "graph_builder.h"
+#include "nacre/oslgen/graph.h"
 
 namespace nacre::oslgen {
 

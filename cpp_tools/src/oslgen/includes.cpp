@@ -8,7 +8,7 @@
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
-#include "nacre/oslgen/material_program.h"
+#include "nacre/oslgen/program.h"
 
 namespace nacre::oslgen {
 namespace {

@@ -6,9 +6,9 @@
 
 #include <vector>
 
+#include "nacre/lut/tint_basis.h"
 #include "nacre/oslgen/literals.h"
 #include "nacre/spectral/wavelength_sampling.h"
-#include "tint.h"
 
 namespace nacre::pipeline {
 namespace {
@@ -69,15 +69,15 @@ std::string colour_tables_header()
         spectral::named_illuminant("D65"), spectral::ObserverId::cie1931,
         spectral::colour_space("lin_rec709_scene"));
     const spectral::WavelengthSampling sampling =
-        spectral::sample_wavelengths(weights, kWavelengthCells);
+        spectral::sample_wavelengths(weights, spectral::kWavelengthCells);
     const std::vector<spectral::Vec3> cumulative = cumulative_weights(weights);
     spectral::Sampled grey{};
     grey.fill(1.0);
-    const std::vector<spectral::Vec3> basis = tint_basis(sampling, weights, grey);
+    const std::vector<spectral::Vec3> basis = lut::tint_basis(sampling, weights, grey);
     using fmt::arg;
     return fmt::format(fmt::runtime(kText), arg("first", spectral::kFirstNm),
-                       arg("last", spectral::kLastNm), arg("cells", kWavelengthCells),
-                       arg("edges", kWavelengthCells + 1), arg("step", kCumulativeStepNm),
+                       arg("last", spectral::kLastNm), arg("cells", spectral::kWavelengthCells),
+                       arg("edges", spectral::kWavelengthCells + 1), arg("step", kCumulativeStepNm),
                        arg("cumulative", cumulative.size()),
                        arg("edge_list", oslgen::array_literal(sampling.edges_nm, " \\")),
                        arg("weight_list", oslgen::array_literal(sampling.weight, " \\")),

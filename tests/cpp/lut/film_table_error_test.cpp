@@ -53,7 +53,7 @@ void expect_honest(const FilmTableRequest& asked)
     ASSERT_EQ(tables.transmittance.has_value(), asked.transmittance);
     const auto check = [&](const Table& table, bool transmittance) {
         const Measured measured = measure(asked, table, transmittance);
-        SCOPED_TRACE(table.name + " of " + std::to_string(table.x.texels) + "x" +
+        SCOPED_TRACE(table.name() + " of " + std::to_string(table.x.texels) + "x" +
                      std::to_string(table.y.texels));
         EXPECT_LE(table.error_max, asked.tolerance);
         EXPECT_LE(measured.max, table.error_max * 1.02);

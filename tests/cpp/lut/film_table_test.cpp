@@ -107,9 +107,9 @@ TEST(FilmTable, SaysWhatItsAxesAre)
     auto asked = test::soap_film();
     asked.size = {5, 3};
     const FilmTables tables = bake_film_tables(asked);
-    EXPECT_EQ(tables.reflectance.name, "R");
+    EXPECT_EQ(tables.reflectance.name(), "R");
     EXPECT_EQ(tables.reflectance.quantity, "reflectance");
-    EXPECT_EQ(tables.transmittance->name, "T");
+    EXPECT_EQ(tables.transmittance->name(), "T");
     EXPECT_EQ(tables.transmittance->quantity, "transmittance");
     const Axis &x = tables.reflectance.x, &y = tables.reflectance.y;
     EXPECT_EQ(x.name, "cos_theta");

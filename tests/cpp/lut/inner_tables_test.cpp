@@ -30,8 +30,8 @@ TEST(InnerTables, BareGlassReturnsWhatTheTextbooksSay)
     const auto bare = test::request(constant(1.0), {}, constant(1.5), std::nullopt);
     const InnerTables tables = bake_inner_tables(bare, 7);
 
-    EXPECT_EQ(tables.reflectance.name, "R_inner");
-    EXPECT_EQ(tables.transmittance.name, "T_inner");
+    EXPECT_EQ(tables.reflectance.name(), "R_inner");
+    EXPECT_EQ(tables.transmittance.name(), "T_inner");
     EXPECT_EQ(tables.reflectance.x.texels, 1);
     EXPECT_EQ(tables.reflectance.y.texels, 1) << "nothing varies";
     ASSERT_EQ(tables.reflectance.texels.size(), 3u);

@@ -25,7 +25,7 @@ struct Difference {
 /// Of texels, those of grazing light left out.
 Difference difference(const Table& a, const Table& b, const FilmTableRequest& request)
 {
-    EXPECT_EQ(a.name, b.name);
+    EXPECT_EQ(a.role, b.role);
     EXPECT_EQ(a.texels.size(), b.texels.size());
     const auto colour = [](const Table& table, std::size_t i) {
         return spectral::Vec3{table.texels[i], table.texels[i + 1], table.texels[i + 2]};

@@ -90,8 +90,8 @@ TEST(RoughGlassTables, BareGlassIsItsOwnLobes)
     const RoughTables rough = bake_rough_glass_tables(request, bake_film_tables(request), kIndex);
     const Texels R(rough.reflectance), T(*rough.transmittance);
     const std::vector<Table> lobes = bake_lobe_tables(kIndex, R.width());
-    ASSERT_EQ(lobes[1].name, "lobe_R_rough");
-    ASSERT_EQ(lobes[3].name, "lobe_T_rough");
+    ASSERT_EQ(lobes[1].name(), "lobe_R_rough");
+    ASSERT_EQ(lobes[3].name(), "lobe_T_rough");
     const Texels reflected(lobes[1]), passed(lobes[3]);
     ASSERT_EQ(lobes[1].texels.size(), rough.reflectance.texels.size());
     for (int strip = 0; strip < kStrips; ++strip)

@@ -35,7 +35,7 @@ TEST(RoughTables, SlicesLieSideBySide)
     const FilmTables smooth = bake_film_tables(request);
     const RoughTables rough = bake_rough_tables(request, smooth);
     const Table& table = rough.reflectance;
-    EXPECT_EQ(table.name, "R_rough");
+    EXPECT_EQ(table.name(), "R_rough");
     EXPECT_EQ(table.slices, kRoughSlices);
     EXPECT_EQ(table.texel_bits, kRoughTexelBits);
     for (const float texel : table.texels)

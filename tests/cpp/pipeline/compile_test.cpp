@@ -12,6 +12,7 @@
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
+#include "nacre/kinds/film.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/optics/film_model_stack.h"
 #include "nacre/optics/microfacet.h"
@@ -29,10 +30,10 @@ category = "Tests"
 source = "made up"
 )";
 
-material::MaterialTemplate shipped(const std::string& id)
+kinds::MaterialTemplate shipped(const std::string& id)
 {
     const std::string path = "templates/" + id + ".toml";
-    return material::parse_template(find_resource(path).value(), path);
+    return kinds::parse_template(find_resource(path).value(), path);
 }
 
 /// Coarse tables, to be quick.
@@ -46,7 +47,7 @@ CompileOptions quick()
 std::string problems(const std::string& toml)
 {
     try {
-        static_cast<void>(compile(material::parse_template(toml, "t.toml"), quick()));
+        static_cast<void>(compile(kinds::parse_template(toml, "t.toml"), quick()));
     } catch (const InputError& error) {
         std::string result;
         for (const Diagnostic& problem : error.diagnostics()) result += problem.text() + '\n';
@@ -67,13 +68,13 @@ TEST(Compile, ManifestTellsOfTheTables)
         EXPECT_EQ(manifest["tables"].size(), result.tables.size());
         for (std::size_t i = 0; i < result.tables.size(); ++i) {
             const lut::Table& table = result.tables[i];
-            EXPECT_EQ(manifest["tables"][i]["name"], table.name);
+            EXPECT_EQ(manifest["tables"][i]["name"], table.name());
             EXPECT_EQ(manifest["tables"][i]["width"], table.x.texels);
             EXPECT_EQ(manifest["tables"][i]["height"], table.y.texels);
             if (table.slices > 1) {
-                EXPECT_LE(table.error_mean, 0.5) << id << ' ' << table.name;
+                EXPECT_LE(table.error_mean, 0.5) << id << ' ' << table.name();
             } else if (table.error_unit == "dE00") {
-                EXPECT_LE(table.error_max, quick().tolerance) << id << ' ' << table.name;
+                EXPECT_LE(table.error_max, quick().tolerance) << id << ' ' << table.name();
             }
         }
         EXPECT_NE(result.osl.find("shader nacre_" + result.id), std::string::npos);
@@ -92,13 +93,13 @@ medium = "N-BK7/SCHOTT"
 
 CompiledMaterial compiled(const std::string& toml)
 {
-    return compile(material::parse_template(toml, "t.toml"), quick());
+    return compile(kinds::parse_template(toml, "t.toml"), quick());
 }
 
 std::vector<std::string> names(const CompiledMaterial& material)
 {
     std::vector<std::string> result;
-    for (const lut::Table& table : material.tables) result.push_back(table.name);
+    for (const lut::Table& table : material.tables) result.push_back(table.name());
     return result;
 }
 
@@ -283,14 +284,14 @@ std::string by_technique(const std::string& technique, const std::string& film,
 
 lut::FilmTableRequest request_of(const std::string& toml)
 {
-    return film_request(material::parse_template(toml, "t.toml"), quick());
+    return kinds::film_request(kinds::parse_template(toml, "t.toml"), quick());
 }
 
 TEST(Technique, NamesAreThoseOfTheForms)
 {
-    const auto names = material::technique_names();
+    const auto names = kinds::technique_names();
     ASSERT_EQ(names.size(), optics::film_model_names().size() + 1);
-    EXPECT_EQ(names.front(), material::technique_name(material::Technique::multilayer));
+    EXPECT_EQ(names.front(), kinds::technique_name(kinds::Technique::multilayer));
     EXPECT_TRUE(std::ranges::equal(names.subspan(1), optics::film_model_names()));
 }
 
@@ -398,9 +399,9 @@ TEST(Technique, ExactFormsHaveTheTablesOfTheMultilayer)
     for (std::size_t i = 0; i < airy.tables.size(); ++i) {
         const lut::Table &a = airy.tables[i], &b = multilayer.tables[i];
         if (a.quantity == "schlick_coefficients") continue;  // large ones that cancel
-        ASSERT_EQ(a.texels.size(), b.texels.size()) << a.name;
+        ASSERT_EQ(a.texels.size(), b.texels.size()) << a.name();
         for (std::size_t k = 0; k < a.texels.size(); ++k)
-            ASSERT_NEAR(a.texels[k], b.texels[k], 1e-5) << a.name;
+            ASSERT_NEAR(a.texels[k], b.texels[k], 1e-5) << a.name();
     }
 }
 
@@ -421,7 +422,7 @@ TEST(Technique, RefusesAStackOutsideItsDomain)
 
 TEST(FilmRequest, HasTheStackOfTheTemplateOnTheGrid)
 {
-    const lut::FilmTableRequest request = film_request(shipped("dichroic_mirror"), quick());
+    const lut::FilmTableRequest request = kinds::film_request(shipped("dichroic_mirror"), quick());
     ASSERT_EQ(request.stack.layers.size(), 16u);
     EXPECT_DOUBLE_EQ(request.stack.layers[1].thickness_nm, 94.2);
     EXPECT_FALSE(request.stack.layers[15].coherent);
@@ -430,7 +431,7 @@ TEST(FilmRequest, HasTheStackOfTheTemplateOnTheGrid)
     // SiO2, Malitson 1965: 1.4585 at 589 nm.
     EXPECT_NEAR(request.stack.layers[1].n[589 - 360].real(), 1.4584, 1e-4);
 
-    EXPECT_THROW(static_cast<void>(film_request(shipped("water"), quick())), InputError);
+    EXPECT_THROW(static_cast<void>(kinds::film_request(shipped("water"), quick())), InputError);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/kinds/film.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/pipeline/compile.h"
 #include "support/expect.h"
@@ -19,9 +20,9 @@ namespace {
 using spectral::delta_e_2000, spectral::multiply, spectral::RangeRule, spectral::Vec3;
 
 /// A film of `layer` in air.
-material::MaterialTemplate film(const std::string& layer, const std::string& substrate)
+kinds::MaterialTemplate film(const std::string& layer, const std::string& substrate)
 {
-    return material::parse_template(R"(schema = 1
+    return kinds::parse_template(R"(schema = 1
 [material]
 id = "test"
 name = "Test"
@@ -34,7 +35,7 @@ medium = ")" + layer + R"("
 thickness_nm = { default = 100, min = 0, max = 600, varies = true }
 [substrate]
 medium = ")" + substrate + "\"\n",
-                                    "t.toml");
+                                 "t.toml");
 }
 
 /// Coarse tables, to be quick.
@@ -69,7 +70,7 @@ TEST(HeldMedia, AreRefusedWithTheirLines)
 {
     const auto refused = [](const char* layer, const char* substrate, RangeRule rule) {
         return test::input_error_of(
-            [&] { (void)film_request(film(layer, substrate), with_rule(rule)); });
+            [&] { (void)kinds::film_request(film(layer, substrate), with_rule(rule)); });
     };
     const std::string strict = refused("BaTiO3/Wemple-o", "N-SF11/SCHOTT", RangeRule::strict);
     EXPECT_NE(strict.find("t.toml:10: layer[0].medium: must be within the data, 400 … 700 nm (got "
@@ -98,7 +99,7 @@ source = "made up"
           {"[grating]\npitch_nm = 1600\ndepth_nm = 110\nprofile = \"rectangular\"\n"
            "cover = { medium = \"glycerol/Gupta\" }\nsubstrate = { medium = \"Ag/Johnson\" }\n",
            "glycerol/Gupta"}}) {
-        const auto source = material::parse_template(head + text, "t.toml");
+        const auto source = kinds::parse_template(head + text, "t.toml");
         const auto manifest =
             nlohmann::json::parse(compile(source, with_rule(RangeRule::hold_ends)).manifest);
         ASSERT_EQ(manifest["held_ends"].size(), 1U) << medium;
@@ -118,7 +119,7 @@ TEST(HeldMedia, MakeAllShippedMediaUsableButFive)
         const auto source = film(key, "Si/Green-2008");
         try {
             const lut::FilmTableRequest request =
-                film_request(source, with_rule(RangeRule::hold_ends));
+                kinds::film_request(source, with_rule(RangeRule::hold_ends));
             const lut::FilmColour colour = exact_film_colour(request, 0.7, 150.0);
             for (const double channel : colour.reflectance) EXPECT_TRUE(std::isfinite(channel));
             held += held_media(source, with_rule(RangeRule::hold_ends)).size();
@@ -183,7 +184,7 @@ TEST(HeldMedia, ColourFilmsAsTheWholeDataDo)
                                            {"Ag/Johnson", "N-BK7/SCHOTT"},
                                            {"Cu/Johnson", "N-BK7/SCHOTT"}}) {
         const lut::FilmTableRequest whole =
-            film_request(film(layer, substrate), with_rule(RangeRule::hold_ends));
+            kinds::film_request(film(layer, substrate), with_rule(RangeRule::hold_ends));
         lut::FilmTableRequest held = whole;
         held.stack.layers[0].n = cut(layer);
         held.stack.substrate = cut(substrate);

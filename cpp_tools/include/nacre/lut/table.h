@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "nacre/core/table_role.h"
+
 namespace nacre::lut {
 
 /// One axis of a table: the centres of the edge texels hold `min` and `max`, linear in between.
@@ -25,7 +27,7 @@ inline constexpr int kFloatBits = 23;
 
 /// A baked two-dimensional table, row-major; row 0 (the top row of the image) holds `y.min`.
 struct Table {
-    std::string name;                   ///< `R`, `T`, `R_bare`, …: the file is `<id>_<name>.exr`
+    TableRole role;
     std::string quantity;               ///< `reflectance`, `transmittance`
     Axis x, y;                          ///< y.texels is 1 where nothing but the angle varies
     std::vector<std::string> channels;  ///< `R`, `G`, `B`
@@ -41,6 +43,8 @@ struct Table {
     int texel_bits = kFloatBits;
     /// 2: so many slices again follow, seen from inside the glass, see rough_glass_tables.h.
     int sides = 1;
+
+    [[nodiscard]] const std::string& name() const { return table_name(role); }
 };
 
 }  // namespace nacre::lut

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "nacre/spectral/colour.h"
+#include "nacre/spectral/wavelength_sampling.h"
 
 /// @file
 /// What a coloured metal does to light of one wavelength that stands for a colour.
@@ -31,5 +32,10 @@ struct WavelengthCells {
 /// Decomposition for Rendering with sRGB Reflectance, EGSR; here times the metal's reflectance.
 /// @pre the lists are equally long, ≥ 4
 [[nodiscard]] std::vector<spectral::Vec3> tint_basis(const WavelengthCells& cells);
+
+/// The same in the space of `weights`, for what a metal reflects at every wavelength.
+[[nodiscard]] std::vector<spectral::Vec3> tint_basis(const spectral::WavelengthSampling& sampling,
+                                                     const spectral::ColourWeights& weights,
+                                                     const spectral::Sampled& reflectance);
 
 }  // namespace nacre::lut

@@ -21,6 +21,9 @@ struct WavelengthSampling {
     std::vector<Vec3> weight;      ///< N
 };
 
+/// In every shader. In the green they are below 4 nm wide, finer than a colour can tell.
+inline constexpr int kWavelengthCells = 64;
+
 /// Fewer could not keep every cell within 40 nm.
 inline constexpr int kFewestCells = 12;
 

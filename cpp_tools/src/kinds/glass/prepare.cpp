@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "../path_wavelengths.h"
+#include "glass.h"
+#include "nacre/kinds/media_reader.h"
+#include "nacre/oslgen/literals.h"
+#include "sliders.h"
+
+namespace nacre::kinds {
+namespace glass {
+namespace {
+
+using oslgen::literal;
+
+// Those of the Abbe number beside d: ISO 7944.
+constexpr double kLineF = 486.1327, kLineC = 656.2725;
+
+// Knots of a glass: cubics between them stay within 1e-7 of any Sellmeier curve of a clear medium.
+constexpr double kKnotStepNm = 10.0;
+constexpr int kKnots = 48;
+
+/// n(λ) at equally spaced knots, between which the shader draws cubics.
+struct Index {
+    std::vector<double> knots;
+    std::array<double, 3> mean_rgb;  ///< mean of n over wavelength with the weight of each channel
+    double n_F, n_d, n_C;
+};
+
+Index index(const Glass& glass, MediaReader media, const spectral::ColourWeights& weights)
+{
+    const lut::IndexOnGrid grid = media.clear_on_grid(glass.medium, kTraceOfK);
+    media.throw_if_any();
+    const spectral::OpticalConstantsPtr medium = media.constants(glass.medium);
+    spectral::Sampled n{};
+    std::ranges::transform(grid, n.begin(), [](const auto& value) { return value.real(); });
+
+    Index result{.knots = {},
+                 .mean_rgb = weights.apply(n),
+                 .n_F = medium->at(kLineF).real(),
+                 .n_d = medium->at(kLineD).real(),
+                 .n_C = medium->at(kLineC).real()};
+    for (int i = 0; i < kKnots; ++i)
+        result.knots.push_back(medium->at(spectral::kFirstNm + i * kKnotStepNm).real());
+    return result;
+}
+
+std::string statements(const Index& index)
+{
+    return fmt::format(
+        "    nacre_wavelength path = nacre_draw_wavelength(wavelength_edges, wavelength_weight,\n"
+        "                                                  nacre_path_random());\n"
+        "    float index = nacre_index(index_knots, {}, {}, path.nm);\n"
+        "    BSDF = nacre_glass_lobe(surface_normal, roughness, mix({}, index, dispersion),\n"
+        "                            mix(color({}), index_mean, dispersion),\n"
+        "                            dispersion > 0.0 ? path.weight : color(1.0));\n",
+        literal(spectral::kFirstNm), literal(kKnotStepNm), literal(index.n_d), literal(index.n_d));
+}
+
+/// Without a wavelength per path there is no dispersion: plain glass with the index of the d line.
+oslgen::Graph nodes(double n_d)
+{
+    oslgen::Graph graph;
+    graph.node("glass", "ShaderNodeBsdfGlass", {{"distribution", "MULTI_GGX"}}, {{"IOR", n_d}});
+    graph.link("input.roughness", "glass.Roughness");
+    graph.link("input.normal", "glass.Normal");
+    graph.link("glass.BSDF", "output.BSDF");
+    return graph;
+}
+
+}  // namespace
+}  // namespace glass
+
+Prepared Glass::prepare(const MaterialTemplate& source, const CompileOptions& options) const
+{
+    const spectral::ColourWeights weights = options.weights();
+    const glass::Index index = glass::index(*this, {source.file, options.range}, weights);
+
+    Prepared result;
+    oslgen::Program& program = result.program;
+    program.sockets = {oslgen::slider_socket(glass::kDispersion), oslgen::roughness_socket(source),
+                       oslgen::normal_socket()};
+    program.constants = wavelength_constants(path_wavelengths(weights));
+    program.constants.push_back(
+        {.declaration = fmt::format("float index_knots[{}]", index.knots.size()),
+         .value = oslgen::array_literal(index.knots),
+         .label = "Index",
+         .help = "Index over wavelength at equally spaced knots"});
+    program.constants.push_back({.declaration = "color index_mean",
+                                 .value = oslgen::literal(index.mean_rgb),
+                                 .label = "Mean Index",
+                                 .help = "Mean of the index with the weight of each channel"});
+    program.body =
+        oslgen::ShaderBody{.includes = {"nacre/nacre_dispersion.h", "nacre/nacre_glass.h"},
+                           .statements = glass::statements(index),
+                           .nodes = glass::nodes(index.n_d)};
+    program.more["glass"] = {{"lines", {{"F", index.n_F}, {"d", index.n_d}, {"C", index.n_C}}}};
+    return result;
+}
+
+}  // namespace nacre::kinds
