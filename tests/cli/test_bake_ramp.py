@@ -116,7 +116,7 @@ def test_bad_input(nacre, film_json, templates, tmp_path):
     assert "--size" in error
     assert "--angle" in nacre.fails("bake", "ramp", film_json, "--angle", "90", "-o", good)
     error = nacre.fails("bake", "ramp", templates / "cd.toml", "-o", good)
-    assert "must be a film: gratings and glasses have no ramp" in error
+    assert "must be a film: no other kind has a ramp" in error
     fixed = tmp_path / "fixed.json"
     record = json.loads(film_json.read_text())
     record["layer"][0]["thickness_nm"] = 200

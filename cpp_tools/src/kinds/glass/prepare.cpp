@@ -10,6 +10,7 @@
 #include "glass.h"
 #include "nacre/kinds/media_reader.h"
 #include "nacre/oslgen/literals.h"
+#include "nacre/oslgen/shader_source.h"
 #include "sliders.h"
 
 namespace nacre::kinds {
@@ -50,16 +51,14 @@ Index index(const Glass& glass, MediaReader media, const spectral::ColourWeights
     return result;
 }
 
+/// Those of nacre_glass, with the index from knots.
 std::string statements(const Index& index)
 {
-    return fmt::format(
-        "    nacre_wavelength path = nacre_draw_wavelength(wavelength_edges, wavelength_weight,\n"
-        "                                                  nacre_path_random());\n"
-        "    float index = nacre_index(index_knots, {}, {}, path.nm);\n"
-        "    BSDF = nacre_glass_lobe(surface_normal, roughness, mix({}, index, dispersion),\n"
-        "                            mix(color({}), index_mean, dispersion),\n"
-        "                            dispersion > 0.0 ? path.weight : color(1.0));\n",
-        literal(spectral::kFirstNm), literal(kKnotStepNm), literal(index.n_d), literal(index.n_d));
+    return oslgen::specialised(
+        oslgen::shipped_shader("nacre_glass"),
+        {.constants = {{"base", literal(index.n_d)}, {"mean_index", "index_mean"}},
+         .variables = {{"index", fmt::format("nacre_index(index_knots, {}, {}, path.nm)",
+                                             literal(spectral::kFirstNm), literal(kKnotStepNm))}}});
 }
 
 /// Without a wavelength per path there is no dispersion: plain glass with the index of the d line.

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "../path_wavelengths.h"
@@ -11,6 +12,7 @@
 #include "nacre/kinds/media_reader.h"
 #include "nacre/lut/tint_basis.h"
 #include "nacre/oslgen/literals.h"
+#include "nacre/oslgen/shader_source.h"
 
 namespace nacre::kinds {
 namespace grating {
@@ -41,15 +43,17 @@ Colours colours(const Grating& grating, MediaReader media, const spectral::Colou
             .cover_index = cover_index};
 }
 
+/// Those of nacre_disc, at what the template fixes.
 std::string statements(const Grating& grating, double cover_index)
 {
-    return fmt::format(
-        "    nacre_disc_tracks disc = {{ {}, max(pitch_nm, 100.0), {}, {}, {}, {},\n"
-        "                               clamp(strength, 0.0, 1.0) }};\n"
-        "    BSDF = nacre_disc_lobes(disc, surface_normal, roughness, tint, wavelength_edges,\n"
-        "                            wavelength_weight, tint_basis);\n",
-        static_cast<int>(grating.profile), literal(grating.depth_nm), literal(grating.duty),
-        literal(cover_index), grating.orders);
+    return oslgen::specialised(
+        oslgen::shipped_shader("nacre_disc"),
+        {.constants = {{"profile", std::to_string(static_cast<int>(grating.profile))},
+                       {"depth_nm", literal(grating.depth_nm)},
+                       {"duty", literal(grating.duty)},
+                       {"cover_index", literal(cover_index)},
+                       {"orders", std::to_string(grating.orders)}},
+         .variables = {}});
 }
 
 }  // namespace
