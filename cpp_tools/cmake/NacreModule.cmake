@@ -28,6 +28,14 @@ function(nacre_unity target size)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${NACRE_UNITY} UNITY_BUILD_BATCH_SIZE ${size})
 endfunction()
 
+# nacre_sources(VARIABLE)
+#
+# All C++ sources of the folder and what is below it: a file that comes or goes costs no edit.
+function(nacre_sources variable)
+    file(GLOB_RECURSE found CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+    set(${variable} "${found}" PARENT_SCOPE)
+endfunction()
+
 # nacre_module(NAME SOURCES file… [DEPENDS module…] [LIBRARIES target…])
 #
 # Adds the static library nacre_NAME (alias Nacre::NAME) from src/NAME. Each module sees the public
