@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "guard.h"
+#include "nacre/library/lights.h"
 
 namespace nacre::capi {
 

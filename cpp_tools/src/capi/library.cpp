@@ -11,9 +11,10 @@
 #include "kept_text.h"
 #include "nacre/capi/library.h"
 #include "nacre/core/diagnostics.h"
-#include "nacre/spectral/library_search.h"
-#include "nacre/spectral/optical_constants.h"
-#include "nacre/spectral/spectrum_library.h"
+#include "nacre/library/library_search.h"
+#include "nacre/library/media_library.h"
+#include "nacre/library/spectrum_library.h"
+#include "nacre/media/optical_constants.h"
 
 namespace nacre::capi {
 

@@ -8,6 +8,7 @@
 #include "colour_maker.h"
 #include "compile_options.h"
 #include "guard.h"
+#include "nacre/library/lights.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/material/template.h"
 #include "nacre/pipeline/compile.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "guard.h"
-#include "nacre/spectral/spectrum_library.h"
+#include "nacre/library/spectrum_library.h"
 #include "nacre/spectral/spectrum_shapes.h"
 #include "spectrum_kind.h"
 

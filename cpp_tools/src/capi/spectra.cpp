@@ -13,12 +13,14 @@
 #include <fmt/ranges.h>
 
 #include "guard.h"
+#include "nacre/library/lights.h"
+#include "nacre/library/user_library.h"
+#include "nacre/readers/refractiveindex_yaml.h"
+#include "nacre/readers/spectrum_files.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/illuminant.h"
+#include "nacre/spectral/named_spectrum.h"
 #include "nacre/spectral/observer.h"
-#include "nacre/spectral/optical_constants.h"
-#include "nacre/spectral/spectrum_files.h"
-#include "nacre/spectral/user_library.h"
 #include "spectrum_kind.h"
 
 struct nacre_spectra {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "guard.h"
-#include "nacre/spectral/spectrum_files.h"
+#include "nacre/spectral/named_spectrum.h"
 
 namespace nacre::capi {
 

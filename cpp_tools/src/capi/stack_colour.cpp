@@ -14,9 +14,10 @@
 
 #include "colour_maker.h"
 #include "guard.h"
+#include "nacre/library/media_library.h"
+#include "nacre/media/working_range.h"
 #include "nacre/optics/stack_colour.h"
 #include "nacre/spectral/colour_quadrature.h"
-#include "nacre/spectral/working_range.h"
 
 namespace nacre::capi {
 namespace {

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "guard.h"
-#include "nacre/spectral/spectrum_texture.h"
-#include "nacre/spectral/texture.h"
+#include "nacre/textures/spectrum_texture.h"
+#include "nacre/textures/texture.h"
 
 struct nacre_ftxt {
     nacre::spectral::TextTexture content;

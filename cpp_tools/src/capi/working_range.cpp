@@ -7,7 +7,9 @@
 #include "compile_options.h"
 #include "guard.h"
 #include "kept_text.h"
-#include "nacre/spectral/working_range.h"
+#include "nacre/library/lights.h"
+#include "nacre/library/media_library.h"
+#include "nacre/media/working_range.h"
 
 namespace nacre::capi {
 namespace {

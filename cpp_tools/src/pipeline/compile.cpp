@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "media.h"
+#include "nacre/library/lights.h"
 #include "nacre/lut/inner_tables.h"
 #include "nacre/lut/rough_glass_tables.h"
 #include "nacre/lut/schlick_fit.h"

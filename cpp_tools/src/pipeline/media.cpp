@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "nacre/library/lights.h"
+#include "nacre/library/media_library.h"
 #include "nacre/pipeline/compile.h"
 
 namespace nacre::pipeline {

@@ -8,7 +8,7 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/material/template.h"
-#include "nacre/spectral/working_range.h"
+#include "nacre/media/working_range.h"
 
 namespace nacre::pipeline {
 

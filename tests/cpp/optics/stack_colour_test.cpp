@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "nacre/core/diagnostics.h"
+#include "nacre/library/lights.h"
+#include "nacre/library/media_library.h"
 #include "support/expect.h"
 
 namespace nacre::optics {

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/library/media_library.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/pipeline/compile.h"
 #include "support/expect.h"

@@ -12,8 +12,9 @@
 #include "files/output.h"
 #include "files/spectrum_input.h"
 #include "nacre/core/diagnostics.h"
-#include "nacre/spectral/spectral_channels.h"
-#include "nacre/spectral/spectrum_texture.h"
+#include "nacre/readers/spectrum_files.h"
+#include "nacre/textures/spectral_channels.h"
+#include "nacre/textures/spectrum_texture.h"
 #include "shared/session.h"
 #include "tables/texture.h"
 

@@ -9,6 +9,8 @@
 #include "eval/colours.h"
 #include "eval/questions.h"
 #include "nacre/core/diagnostics.h"
+#include "nacre/library/lights.h"
+#include "nacre/library/media_library.h"
 #include "nacre/optics/stack_colour.h"
 #include "nacre/spectral/colour.h"
 #include "shared/held_ends.h"

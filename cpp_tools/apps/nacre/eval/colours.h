@@ -6,9 +6,9 @@
 
 #include "colour/target.h"
 #include "eval/records.h"
+#include "nacre/media/working_range.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/gamut.h"
-#include "nacre/spectral/working_range.h"
 
 /// @file
 /// The records of `nacre eval` that are answered by colours.

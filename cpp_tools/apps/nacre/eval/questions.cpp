@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "nacre/core/diagnostics.h"
+#include "nacre/library/lights.h"
 #include "nacre/optics/multilayer.h"
 
 namespace nacre::tool {

@@ -7,9 +7,10 @@
 #include "eval/colours.h"
 #include "eval/questions.h"
 #include "nacre/core/diagnostics.h"
+#include "nacre/library/lights.h"
+#include "nacre/library/spectrum_library.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/rgb_spectrum.h"
-#include "nacre/spectral/spectrum_library.h"
 
 namespace nacre::tool {
 

@@ -19,6 +19,7 @@
 #include "nacre/core/file_io.h"
 #include "nacre/core/resources.h"
 #include "nacre/core/version.h"
+#include "nacre/library/lights.h"
 #include "nacre/pipeline/compile.h"
 #include "shared/held_ends.h"
 #include "shared/session.h"

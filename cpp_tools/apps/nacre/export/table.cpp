@@ -12,7 +12,7 @@
 #include "files/output.h"
 #include "files/stack_input.h"
 #include "nacre/core/diagnostics.h"
-#include "nacre/spectral/optical_constants.h"
+#include "nacre/library/media_library.h"
 #include "shared/session.h"
 #include "tables/image.h"
 #include "tables/stack_table.h"

@@ -13,7 +13,7 @@
 #include "modules/module_loader.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
-#include "nacre/spectral/texture.h"
+#include "nacre/textures/texture.h"
 
 namespace nacre::tool {
 namespace {

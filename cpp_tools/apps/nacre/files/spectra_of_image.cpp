@@ -9,8 +9,8 @@
 #include "files/spectrum_input.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/limits.h"
-#include "nacre/spectral/spectral_channels.h"
-#include "nacre/spectral/spectrum_texture.h"
+#include "nacre/textures/spectral_channels.h"
+#include "nacre/textures/spectrum_texture.h"
 
 namespace nacre::tool {
 namespace {

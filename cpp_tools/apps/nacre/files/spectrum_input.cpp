@@ -11,8 +11,10 @@
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
+#include "nacre/library/lights.h"
+#include "nacre/library/spectrum_library.h"
+#include "nacre/readers/spectrum_files.h"
 #include "nacre/spectral/illuminant.h"
-#include "nacre/spectral/spectrum_library.h"
 
 namespace nacre::tool {
 

@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "files/image_file.h"
-#include "nacre/spectral/spectrum_files.h"
+#include "nacre/readers/spectrum_files.h"
+#include "nacre/spectral/named_spectrum.h"
 
 /// @file
 /// Spectra from whatever a user names: files of text, images, keys, lights.

@@ -12,8 +12,8 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
 #include "nacre/pipeline/compile.h"
-#include "nacre/spectral/optical_constants.h"
-#include "nacre/spectral/spectrum_files.h"
+#include "nacre/readers/refractiveindex_yaml.h"
+#include "nacre/readers/spectrum_files.h"
 #include "shared/held_ends.h"
 #include "shared/session.h"
 

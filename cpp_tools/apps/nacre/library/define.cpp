@@ -10,7 +10,8 @@
 #include "files/output.h"
 #include "library/shape_options.h"
 #include "nacre/core/diagnostics.h"
-#include "nacre/spectral/user_library.h"
+#include "nacre/library/user_library.h"
+#include "nacre/readers/spectrum_files.h"
 #include "shared/session.h"
 
 namespace nacre::tool {

@@ -13,9 +13,10 @@
 #include "files/spectrum_input.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
-#include "nacre/spectral/optical_constants.h"
-#include "nacre/spectral/spectrum_files.h"
-#include "nacre/spectral/user_library.h"
+#include "nacre/library/user_library.h"
+#include "nacre/readers/refractiveindex_yaml.h"
+#include "nacre/readers/spectrum_files.h"
+#include "nacre/spectral/named_spectrum.h"
 #include "shared/session.h"
 
 namespace nacre::tool {

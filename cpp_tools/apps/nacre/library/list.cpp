@@ -12,11 +12,12 @@
 #include "files/output.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
+#include "nacre/library/library_search.h"
+#include "nacre/library/media_library.h"
+#include "nacre/library/spectrum_library.h"
+#include "nacre/library/user_library.h"
+#include "nacre/media/optical_constants.h"
 #include "nacre/spectral/colour.h"
-#include "nacre/spectral/library_search.h"
-#include "nacre/spectral/optical_constants.h"
-#include "nacre/spectral/spectrum_library.h"
-#include "nacre/spectral/user_library.h"
 #include "shared/session.h"
 
 namespace nacre::tool {

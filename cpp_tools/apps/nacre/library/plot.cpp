@@ -8,9 +8,10 @@
 #include <fmt/format.h>
 
 #include "colour/target.h"
+#include "nacre/library/lights.h"
+#include "nacre/media/working_range.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/gamut.h"
-#include "nacre/spectral/working_range.h"
 #include "plot/colours.h"
 
 namespace nacre::tool {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "nacre/spectral/optical_constants.h"
-#include "nacre/spectral/spectrum_files.h"
+#include "nacre/media/optical_constants.h"
+#include "nacre/spectral/named_spectrum.h"
 #include "plot/frame.h"
 
 namespace nacre::tool {

@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "nacre/core/diagnostics.h"
-#include "nacre/spectral/spectrum_library.h"
+#include "nacre/library/spectrum_library.h"
 
 namespace nacre::tool {
 namespace {

@@ -11,8 +11,10 @@
 #include "files/output.h"
 #include "library/plot.h"
 #include "nacre/core/diagnostics.h"
-#include "nacre/spectral/optical_constants.h"
-#include "nacre/spectral/spectrum_library.h"
+#include "nacre/library/lights.h"
+#include "nacre/library/media_library.h"
+#include "nacre/library/spectrum_library.h"
+#include "nacre/media/optical_constants.h"
 #include "shared/held_ends.h"
 #include "shared/session.h"
 

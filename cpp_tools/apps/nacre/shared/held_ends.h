@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "nacre/spectral/working_range.h"
+#include "nacre/media/working_range.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): not ours
 class App;

@@ -8,7 +8,7 @@
 #include "colour/target.h"
 #include "files/image_file.h"
 #include "nacre/lut/table.h"
-#include "nacre/spectral/working_range.h"
+#include "nacre/media/working_range.h"
 
 /// @file
 /// Tables as images, with their axes, units and provenance inside.

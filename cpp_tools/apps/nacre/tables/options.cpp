@@ -9,6 +9,7 @@
 #include <CLI/CLI.hpp>
 
 #include "nacre/core/diagnostics.h"
+#include "nacre/library/lights.h"
 #include "nacre/spectral/illuminant.h"
 #include "shared/held_ends.h"
 

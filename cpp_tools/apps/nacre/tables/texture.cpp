@@ -15,7 +15,7 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/limits.h"
 #include "nacre/core/version.h"
-#include "nacre/spectral/spectrum_texture.h"
+#include "nacre/textures/spectrum_texture.h"
 #include "shared/session.h"
 #include "tables/image.h"
 

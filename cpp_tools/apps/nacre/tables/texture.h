@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "files/image_file.h"
-#include "nacre/spectral/spectrum_files.h"
-#include "nacre/spectral/texture.h"
+#include "nacre/spectral/named_spectrum.h"
+#include "nacre/textures/texture.h"
 
 /// @file
 /// What the bakers of spectra share.

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "nacre/media/optical_constants.h"
 #include "nacre/optics/multilayer.h"
 #include "nacre/spectral/colour_quadrature.h"
-#include "nacre/spectral/optical_constants.h"
 
 /// @file
 /// The colour of one stack at one angle, from as few wavelengths as it takes.

@@ -10,8 +10,8 @@
 
 #include "nacre/lut/film_table.h"
 #include "nacre/material/template.h"
+#include "nacre/media/working_range.h"
 #include "nacre/spectral/colour.h"
-#include "nacre/spectral/working_range.h"
 
 /// @file
 /// Template in, compiled material out: looks up media, bakes tables, generates shader and manifest.
