@@ -9,6 +9,7 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/library/lights.h"
 #include "nacre/library/media_library.h"
+#include "nacre/optics/multilayer.h"
 #include "support/expect.h"
 
 namespace nacre::optics {

@@ -15,6 +15,7 @@
 #include "files/stack_input.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/version.h"
+#include "nacre/lut/film_table.h"
 #include "nacre/pipeline/compile.h"
 #include "shared/held_ends.h"
 #include "shared/session.h"

@@ -8,6 +8,7 @@
 #include "eval/questions.h"
 #include "eval/records.h"
 #include "nacre/optics/film_models.h"
+#include "nacre/optics/multilayer.h"
 
 namespace nacre::tool {
 namespace {

@@ -12,6 +12,7 @@
 #include "files/image_file.h"
 #include "files/output.h"
 #include "nacre/core/diagnostics.h"
+#include "nacre/lut/film_table.h"
 #include "shared/session.h"
 
 namespace nacre::tool {

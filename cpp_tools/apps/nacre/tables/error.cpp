@@ -8,6 +8,7 @@
 #include <tbb/parallel_for.h>
 
 #include "colour/target.h"
+#include "nacre/lut/film_table.h"
 
 namespace nacre::tool {
 namespace {
