@@ -57,7 +57,7 @@ def _index(medium: Any, strict_range: bool) -> np.ndarray:
 
 
 def _variation(varying: int | str | None, layers: int) -> int:
-    """As `nacre_film.varying` of capi.h."""
+    """As `nacre_film.varying` of capi/films.h."""
     if varying is None:
         return -2
     if isinstance(varying, str) and varying == "scale":

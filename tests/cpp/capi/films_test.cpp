@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "nacre/capi.h"
+#include "nacre/capi/films.h"
 #include "refusal.h"
 #include "support/not_numbers.h"
 

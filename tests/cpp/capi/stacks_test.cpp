@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "nacre/capi.h"
+#include "nacre/capi/stacks.h"
 #include "support/not_numbers.h"
 
 namespace {

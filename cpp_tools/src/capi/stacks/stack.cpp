@@ -9,10 +9,10 @@
 #include <numbers>
 #include <optional>
 
-#include "guard.h"
+#include "base/guard.h"
 #include "nacre/optics/multilayer.h"
 #include "nacre/optics/stack_batch.h"
-#include "stack_call.h"
+#include "stacks/stack_call.h"
 
 namespace nacre::capi {
 namespace {

@@ -12,7 +12,8 @@
 
 #include <fmt/ranges.h>
 
-#include "guard.h"
+#include "base/guard.h"
+#include "library/spectrum_kind.h"
 #include "nacre/library/lights.h"
 #include "nacre/library/user_library.h"
 #include "nacre/readers/refractiveindex_yaml.h"
@@ -21,7 +22,6 @@
 #include "nacre/spectral/illuminant.h"
 #include "nacre/spectral/named_spectrum.h"
 #include "nacre/spectral/observer.h"
-#include "spectrum_kind.h"
 
 struct nacre_spectra {
     std::vector<nacre::spectral::NamedSpectrum> all;

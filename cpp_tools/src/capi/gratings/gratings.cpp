@@ -1,11 +1,16 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
-#include "guard.h"
+#include "base/guard.h"
+#include "nacre/capi/gratings.h"
+#include "nacre/optics/film_models.h"
 #include "nacre/optics/grating.h"
 
 namespace nacre::capi {
@@ -52,6 +57,25 @@ nacre_status nacre_grating_orders(const nacre_grating* grating, int first, int l
             directions = std::copy(out.begin(), out.end(), directions);
             *efficiencies++ = order.efficiency;
         }
+    });
+}
+
+nacre_status nacre_slit_intensity(size_t count, const double* slits, double* intensity)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        if (count == 0) return;
+        capi::require(slits, "slits");
+        capi::require(intensity, "intensity");
+        std::vector<double> results(count);
+        capi::for_each_item(count, [&](std::size_t i) {
+            const double *of = slits + 4 * i, angle_deg = of[2];
+            if (!(angle_deg >= -90.0 && angle_deg <= 90.0))
+                capi::fail("angle_deg", fmt::format("must be in [-90, 90] (got {})", angle_deg));
+            const double sine = std::sin(angle_deg * std::numbers::pi / 180.0);
+            results[i] = optics::slit_intensity(of[0], of[1], sine, of[3]);
+        });
+        std::copy(results.begin(), results.end(), intensity);
     });
 }
 }

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include <mutex>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <fmt/ranges.h>
 
-#include "guard.h"
-#include "kept_text.h"
+#include "base/guard.h"
+#include "base/kept_text.h"
 #include "nacre/capi/library.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/library/library_search.h"
@@ -17,15 +15,6 @@
 #include "nacre/media/optical_constants.h"
 
 namespace nacre::capi {
-
-const char* kept(const std::string& text)
-{
-    static std::mutex mutex;
-    static std::set<std::string> all;
-    const std::lock_guard lock(mutex);
-    return all.insert(text).first->c_str();
-}
-
 namespace {
 
 /// The keys of one kind, as the calling thread saw them last.

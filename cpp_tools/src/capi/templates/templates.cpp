@@ -12,12 +12,12 @@
 #include <utility>
 #include <vector>
 
-#include "colour_maker.h"
-#include "compile_options.h"
-#include "guard.h"
+#include "base/guard.h"
+#include "colour/colour_maker.h"
 #include "nacre/material/template.h"
 #include "nacre/pipeline/preview.h"
-#include "result.h"
+#include "tables/result.h"
+#include "templates/compile_options.h"
 
 namespace nacre::capi {
 

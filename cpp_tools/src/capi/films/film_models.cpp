@@ -9,7 +9,8 @@
 #include <numbers>
 #include <vector>
 
-#include "guard.h"
+#include "base/guard.h"
+#include "nacre/capi/films.h"
 
 namespace nacre::capi {
 namespace {
@@ -66,25 +67,6 @@ nacre_status nacre_film_reflectance(const char* model, size_t count, const nacre
             results[i] = capi::reflectance(form, films[i], polarisation);
         });
         std::copy(results.begin(), results.end(), R);
-    });
-}
-
-nacre_status nacre_slit_intensity(size_t count, const double* slits, double* intensity)
-{
-    using namespace nacre;
-    return capi::guarded([&] {
-        if (count == 0) return;
-        capi::require(slits, "slits");
-        capi::require(intensity, "intensity");
-        std::vector<double> results(count);
-        capi::for_each_item(count, [&](std::size_t i) {
-            const double *of = slits + 4 * i, angle_deg = of[2];
-            if (!(angle_deg >= -90.0 && angle_deg <= 90.0))
-                capi::fail("angle_deg", fmt::format("must be in [-90, 90] (got {})", angle_deg));
-            const double sine = std::sin(angle_deg * std::numbers::pi / 180.0);
-            results[i] = optics::slit_intensity(of[0], of[1], sine, of[3]);
-        });
-        std::copy(results.begin(), results.end(), intensity);
     });
 }
 }

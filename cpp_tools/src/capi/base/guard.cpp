@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "guard.h"
+#include "base/guard.h"
 
 #include "nacre/core/version.h"
 

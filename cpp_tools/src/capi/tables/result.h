@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "nacre/capi.h"
+#include "nacre/capi/tables.h"
 #include "nacre/lut/table.h"
 
 struct nacre_result {

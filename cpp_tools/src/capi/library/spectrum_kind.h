@@ -4,7 +4,7 @@
 
 #include <fmt/format.h>
 
-#include "guard.h"
+#include "base/guard.h"
 #include "nacre/spectral/named_spectrum.h"
 
 namespace nacre::capi {

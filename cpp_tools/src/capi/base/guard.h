@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "nacre/capi.h"
+#include "nacre/capi/base.h"
 #include "nacre/core/diagnostics.h"
 
 namespace nacre::capi {

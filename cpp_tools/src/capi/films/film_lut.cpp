@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <memory>
+
 #include <fmt/format.h>
 
-#include <memory>
-#include <string_view>
-
-#include "colour_maker.h"
-#include "compile_options.h"
-#include "guard.h"
+#include "base/guard.h"
+#include "colour/colour_maker.h"
+#include "nacre/capi/films.h"
 #include "nacre/library/lights.h"
 #include "nacre/lut/film_table.h"
-#include "nacre/material/template.h"
-#include "nacre/pipeline/compile.h"
-#include "nacre/spectral/colour.h"
-#include "result.h"
+#include "tables/result.h"
 
 namespace nacre::capi {
 namespace {
@@ -88,67 +84,5 @@ nacre_status nacre_film_lut(const nacre_film* film, nacre_result** result)
         if (tables.transmittance) made->tables.push_back(std::move(*tables.transmittance));
         *result = made.release();
     });
-}
-
-nacre_status nacre_compile_template(const char* text, const char* file, const char* illuminant,
-                                    const char* observer, const char* space, const char* adaptation,
-                                    double tolerance, nacre_result** result)
-{
-    using namespace nacre;
-    return capi::guarded([&] {
-        capi::require(result, "result");
-        pipeline::CompileOptions options =
-            capi::compile_options(text, file, {illuminant, observer, space, adaptation});
-        options.tolerance = tolerance;
-        auto compiled = pipeline::compile(material::parse_template(text, file), options);
-        *result = new nacre_result{std::move(compiled.id), std::move(compiled.osl),
-                                   std::move(compiled.manifest), std::move(compiled.tables)};
-    });
-}
-
-size_t nacre_result_tables(const nacre_result* result)
-{
-    return result == nullptr ? 0 : result->tables.size();
-}
-
-nacre_status nacre_result_table(const nacre_result* result, size_t index, nacre_table* table)
-{
-    return nacre::capi::guarded([&] {
-        nacre::capi::require(result, "result");
-        nacre::capi::require(table, "table");
-        if (index >= result->tables.size())
-            nacre::capi::fail("index",
-                              fmt::format("must be < {} (got {})", result->tables.size(), index));
-        const nacre::lut::Table& source = result->tables[index];
-        *table = {.name = source.name.c_str(),
-                  .quantity = source.quantity.c_str(),
-                  .x_name = source.x.name.c_str(),
-                  .y_name = source.y.name.c_str(),
-                  .x_min = source.x.min,
-                  .x_max = source.x.max,
-                  .y_min = source.y.min,
-                  .y_max = source.y.max,
-                  .width = source.x.texels,
-                  .height = source.y.texels,
-                  .channels = static_cast<int>(source.channels.size()),
-                  .error_max = source.error_max,
-                  .error_mean = source.error_mean,
-                  .texels = source.texels.data()};
-    });
-}
-
-const char* nacre_result_text(const nacre_result* result, const char* name)
-{
-    if (result == nullptr || name == nullptr || result->id.empty()) return nullptr;
-    const std::string_view wanted(name);
-    if (wanted == "id") return result->id.c_str();
-    if (wanted == "osl") return result->osl.c_str();
-    if (wanted == "manifest") return result->manifest.c_str();
-    return nullptr;
-}
-
-void nacre_result_free(nacre_result* result)
-{
-    delete result;
 }
 }

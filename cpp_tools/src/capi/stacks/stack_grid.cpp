@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "stack_grid.h"
+#include "stacks/stack_grid.h"
 
 #include <functional>
 #include <numeric>

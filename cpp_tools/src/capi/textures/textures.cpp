@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "guard.h"
+#include "base/guard.h"
 #include "nacre/textures/spectrum_texture.h"
 #include "nacre/textures/texture.h"
 

@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "nacre/capi.h"
+#include "nacre/capi/stacks.h"
 #include "nacre/optics/multilayer.h"
-#include "stack_grid.h"
+#include "stacks/stack_grid.h"
 
 /// @file
 /// Arguments of nacre_stack() and nacre_stack_grid().

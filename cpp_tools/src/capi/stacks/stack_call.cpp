@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "stack_call.h"
+#include "stacks/stack_call.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "guard.h"
+#include "base/guard.h"
 
 namespace nacre::capi {
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "guard.h"
+#include "base/guard.h"
+#include "library/spectrum_kind.h"
 #include "nacre/library/spectrum_library.h"
 #include "nacre/spectral/spectrum_shapes.h"
-#include "spectrum_kind.h"
 
 namespace nacre::capi {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "colour_maker.h"
+#include "colour/colour_maker.h"
 
 #include <algorithm>
 
-#include "guard.h"
+#include "base/guard.h"
 #include "nacre/library/lights.h"
 
 namespace nacre::capi {

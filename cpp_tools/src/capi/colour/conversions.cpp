@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "colour_maker.h"
-#include "guard.h"
+#include "base/guard.h"
+#include "colour/colour_maker.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/gamut.h"
 #include "nacre/spectral/rgb_spectrum.h"

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "colour_maker.h"
-#include "guard.h"
+#include "base/guard.h"
+#include "colour/colour_maker.h"
 #include "nacre/library/media_library.h"
 #include "nacre/media/working_range.h"
 #include "nacre/optics/stack_colour.h"

@@ -4,12 +4,12 @@
 
 #include <string>
 
-#include "compile_options.h"
-#include "guard.h"
-#include "kept_text.h"
+#include "base/guard.h"
+#include "base/kept_text.h"
 #include "nacre/library/lights.h"
 #include "nacre/library/media_library.h"
 #include "nacre/media/working_range.h"
+#include "templates/compile_options.h"
 
 namespace nacre::capi {
 namespace {
