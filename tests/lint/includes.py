@@ -23,8 +23,8 @@ MODULES = Path("cpp_tools/cmake/NacreModule.cmake")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]+["<]([^">]+)[">]', re.M)
 SUFFIXES = {".h", ".cpp"}
 PUBLIC = "cpp_tools/include/"
-# Where a module begins, and what its sources are.
-ROOTS = {"cpp_tools/include/nacre/": "", "cpp_tools/src/": ""}
+# Folders of modules, and those that are one as a whole.
+ROOTS = ("cpp_tools/include/nacre/", "cpp_tools/src/")
 TOOL, CAPI, TESTS = "tool", "capi", "tests"
 WHOLE = {"cpp_tools/apps/nacre/": TOOL, "tests/cpp/": TESTS}
 LEFT_OUT = {"material", "pipeline"}  # of files in circles: are being sorted

@@ -108,9 +108,9 @@ TEST(CapiCompile, NamesFileLineAndField)
     std::string text = kTemplate;
     text.replace(text.find("min = 100"), 9, "min = -10");
     const std::string message = error(compile(text.c_str(), &result));
-    EXPECT_TRUE(starts_with(message, "film.toml:11: ")) << message;
+    EXPECT_TRUE(message.starts_with("film.toml:11: ")) << message;
     EXPECT_EQ(result, nullptr);
-    EXPECT_TRUE(starts_with(error(compile("schema = [", &result)), "film.toml:1: "));
+    EXPECT_TRUE(error(compile("schema = [", &result)).starts_with("film.toml:1: "));
 
     text = kTemplate;
     text.replace(text.find("\"air\""), 5, "\"unobtainium/X\"");

@@ -11,8 +11,10 @@
 #include "nacre/core/diagnostics.h"
 #include "nacre/library/lights.h"
 #include "nacre/library/media_library.h"
+#include "nacre/optics/film_stack.h"
 #include "nacre/optics/stack_colour.h"
 #include "nacre/spectral/colour.h"
+#include "nacre/spectral/colour_quadrature.h"
 #include "shared/held_ends.h"
 
 namespace nacre::tool {

@@ -10,6 +10,7 @@
 #include "nacre/library/lights.h"
 #include "nacre/library/spectrum_library.h"
 #include "nacre/spectral/colour.h"
+#include "nacre/spectral/colour_quadrature.h"
 #include "nacre/spectral/rgb_spectrum.h"
 
 namespace nacre::tool {

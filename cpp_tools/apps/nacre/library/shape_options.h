@@ -8,6 +8,10 @@
 #include "nacre/spectral/spectrum_shapes.h"
 #include "shared/session.h"
 
+namespace CLI {  // NOLINT(readability-identifier-naming): not ours
+class App;
+}
+
 /// @file
 /// Shapes of a spectrum as options have them: numbers between colons.
 

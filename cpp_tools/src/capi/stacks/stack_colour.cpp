@@ -16,6 +16,7 @@
 #include "colour/colour_maker.h"
 #include "nacre/library/media_library.h"
 #include "nacre/media/working_range.h"
+#include "nacre/optics/film_stack.h"
 #include "nacre/optics/stack_colour.h"
 #include "nacre/spectral/colour_quadrature.h"
 
