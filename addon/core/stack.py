@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 MOST_LAYERS = 64
-"""cpp_tools/include/nacre/optics/multilayer.h says so too, and checks."""
+"""cpp_tools/include/nacre/optics/film_stack.h says so too, and checks."""
 
 MULTILAYER = "multilayer"
 TECHNIQUES = {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "simd.h"
+#include "lanes/simd.h"
 
 // fma_peak THREADS: what the processor can do at most, in GFLOP/s, with the vectors that the
 // kernels use. Chains of multiply-adds that do not wait for each other keep every unit busy.

@@ -11,15 +11,21 @@ target_compile_options(nacre_flags INTERFACE
     $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
     $<$<BOOL:${NACRE_WARNINGS_AS_ERRORS}>:-Werror>)
 
-# The only arrows that exist between modules; nacre_module() refuses every other one.
-set(NACRE_ALLOWED_core "")
-set(NACRE_ALLOWED_spectral core)
-set(NACRE_ALLOWED_optics spectral)
-set(NACRE_ALLOWED_lut optics)
-set(NACRE_ALLOWED_material core)
-set(NACRE_ALLOWED_oslgen material)
-set(NACRE_ALLOWED_kinds lut oslgen)
-set(NACRE_ALLOWED_pipeline kinds)
+# The modules, each after those that it depends on, and the only arrows between them: a module sees
+# the headers of what is named here, and no others. tests/lint/includes.py reads this table as well.
+set(NACRE_MODULES core spectral media readers library textures optics lut material oslgen kinds pipeline)
+set(NACRE_DEPENDS_core "")
+set(NACRE_DEPENDS_spectral core)
+set(NACRE_DEPENDS_media spectral)
+set(NACRE_DEPENDS_readers media)
+set(NACRE_DEPENDS_library readers)
+set(NACRE_DEPENDS_textures media)
+set(NACRE_DEPENDS_optics media)
+set(NACRE_DEPENDS_lut optics)
+set(NACRE_DEPENDS_material core)
+set(NACRE_DEPENDS_oslgen material)
+set(NACRE_DEPENDS_kinds library lut oslgen)
+set(NACRE_DEPENDS_pipeline kinds)
 
 # nacre_unity(TARGET SIZE)
 #
@@ -29,18 +35,25 @@ function(nacre_unity target size)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ${NACRE_UNITY} UNITY_BUILD_BATCH_SIZE ${size})
 endfunction()
 
-# nacre_module(NAME SOURCES file… [DEPENDS module…] [LIBRARIES target…])
+# nacre_sources(VARIABLE)
 #
-# Adds the static library nacre_NAME (alias Nacre::NAME) from src/NAME. Each module sees the public
-# headers of itself and of what it depends on and nothing else: every module has an include folder
-# of its own in the build tree that links to include/nacre/NAME.
+# All C++ sources of the folder and what is below it: a file that comes or goes costs no edit.
+function(nacre_sources variable)
+    file(GLOB_RECURSE found CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/*.cpp")
+    set(${variable} "${found}" PARENT_SCOPE)
+endfunction()
+
+# nacre_module(NAME [SOURCES file…] [LIBRARIES target…])
+#
+# Adds the static library nacre_NAME (alias Nacre::NAME) from src/NAME, and from files that are made.
+# Each module sees the public headers of itself and of what NACRE_DEPENDS_NAME has and nothing else:
+# every module has an include folder of its own in the build tree that links to include/nacre/NAME.
 function(nacre_module name)
-    cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
-    foreach(dependency IN LISTS ARG_DEPENDS)
-        if(NOT dependency IN_LIST NACRE_ALLOWED_${name})
-            message(FATAL_ERROR "module ${name} must not depend on ${dependency}: "
-                                "the directions are core <- spectral <- optics <- lut, "
-                                "core <- material <- oslgen, lut, oslgen <- kinds <- pipeline")
+    cmake_parse_arguments(ARG "" "" "SOURCES;LIBRARIES" ${ARGN})
+    foreach(dependency IN LISTS NACRE_DEPENDS_${name})
+        if(NOT TARGET nacre_${dependency})
+            message(FATAL_ERROR "module ${name} depends on ${dependency}, "
+                                "which must stand before it in NACRE_MODULES")
         endif()
     endforeach()
 
@@ -49,9 +62,10 @@ function(nacre_module name)
     file(CREATE_LINK "${PROJECT_SOURCE_DIR}/cpp_tools/include/nacre/${name}" "${view}/nacre/${name}"
          SYMBOLIC)
 
-    add_library(nacre_${name} STATIC ${ARG_SOURCES})
+    nacre_sources(sources)
+    add_library(nacre_${name} STATIC ${sources} ${ARG_SOURCES})
     add_library(Nacre::${name} ALIAS nacre_${name})
-    list(TRANSFORM ARG_DEPENDS PREPEND Nacre:: OUTPUT_VARIABLE module_targets)
+    list(TRANSFORM NACRE_DEPENDS_${name} PREPEND Nacre:: OUTPUT_VARIABLE module_targets)
     target_link_libraries(nacre_${name} PUBLIC ${module_targets} PRIVATE ${ARG_LIBRARIES}
                           $<BUILD_INTERFACE:nacre_flags>)
     target_include_directories(nacre_${name} PUBLIC

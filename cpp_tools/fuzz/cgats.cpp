@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz_target.h"
-#include "nacre/spectral/spectrum_files.h"
+#include "nacre/readers/spectrum_files.h"
 
 using namespace nacre;
 

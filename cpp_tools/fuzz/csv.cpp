@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz_target.h"
-#include "nacre/spectral/optical_constants.h"
-#include "nacre/spectral/spectrum_files.h"
+#include "nacre/readers/refractiveindex_yaml.h"
+#include "nacre/readers/spectrum_files.h"
+#include "nacre/spectral/named_spectrum.h"
 
 using namespace nacre;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz_target.h"
-#include "nacre/spectral/texture.h"
+#include "nacre/textures/texture.h"
 
 using namespace nacre;
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "files/json_input.h"
 #include "fuzz_target.h"
-#include "json_input.h"
 
 using namespace nacre;
 

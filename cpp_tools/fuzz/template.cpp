@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "nacre/kinds/template.h"
 #include "fuzz_target.h"
+#include "nacre/kinds/read_template.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "nacre/library/media_library.h"
 #include "nacre/optics/multilayer.h"
 #include "nacre/spectral/colour.h"
-#include "nacre/spectral/optical_constants.h"
 
 // A quarter-wave film of fused silica on an index of 2 reflects ((2 − n²)/(2 + n²))² at normal
 // incidence (Born & Wolf 1999, section 1.6.4); the library's data must be inside the binary.

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""File rules: licence lines, UTF-8, LF line ends, a final newline, and sizes."""
+"""File rules: licence lines, UTF-8, LF line ends, a final newline, and sizes; for C++ includes.py."""
 
 from __future__ import annotations
 
@@ -8,6 +8,8 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
+
+import includes
 
 BINARY = {".exr", ".png", ".webp", ".jpg", ".blend", ".tx"}
 SOURCE = {".cpp", ".h", ".osl", ".py", ".cmake"}
@@ -61,6 +63,7 @@ def problems(path: Path) -> Iterator[str]:
 def main() -> int:
     files = tracked_files()
     found = [f"{path}: {problem}" for path in files for problem in problems(path)]
+    found += includes.problems(Path(), map(Path.as_posix, files))
     print("\n".join([*found, f"{len(files)} files, {len(found)} problems"]))
     return 1 if found else 0
 

@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import ctypes
 import math
 import os
 import shutil
@@ -15,7 +14,6 @@ import numpy as np
 import pytest
 
 import nacre
-from nacre import _native
 from support.paths import PACKAGE
 
 GOOD = {"n": [1, 1.33, 1.5], "d_nm": [300], "angle_deg": 30, "wavelength_nm": 550}
@@ -324,17 +322,3 @@ def test_a_system_that_is_too_old_is_told(tmp_path, system, first, newest, words
     assert f"(required by {tmp_path / 'libnacre.so'})" in said
     if system == "libc.so.6":
         assert f"this system has {os.confstr('CS_GNU_LIBC_VERSION')}; " in said
-
-
-def test_structures_have_the_layout_of_the_header():
-    """What ctypes declares is what `capi.h` declares: sizes on a 64-bit system."""
-    sizes = {
-        "GridArray": 16,
-        "ColourOptions": 48,
-        "Grating": 112,
-        "TableInfo": 104,
-        "Film": 112,
-        "Medium": 48,
-    }
-    for name, size in sizes.items():
-        assert ctypes.sizeof(getattr(_native, name)) == size

@@ -10,10 +10,11 @@
 #include <tbb/global_control.h>
 #include <CLI/CLI.hpp>
 
+#include "commands.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/version.h"
-#include "session.h"
-#include "signals.h"
+#include "shared/session.h"
+#include "shared/signals.h"
 
 namespace nacre::tool {
 namespace {
@@ -87,14 +88,7 @@ int run(int argc, char** argv)
     CLI::App app("Nacre: wave-optics materials as numbers, tables and shaders", "nacre");
     app.require_subcommand(1)->footer(kMainHelp);
     add_global_options(app, session);
-    add_eval(app, session);
-    add_bake(app, session);
-    add_compile(app, session);
-    add_library(app, session);
-    add_info(app, session);
-    add_compare(app, session);
-    add_render(app, session);
-    add_export(app, session);
+    add_commands(app, session);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& success) {

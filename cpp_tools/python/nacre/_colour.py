@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native
+from . import _capi
 from ._native import NacreError, check, doubles, lib, text
 
 GRID_NM = np.arange(360.0, 831.0)
@@ -104,7 +104,7 @@ def spectrum_to_colour(
             f"(got shape {samples.shape})"
         )
     shape = samples.shape[:-1]
-    options = _native.ColourOptions(
+    options = _capi.ColourOptions(
         text(illuminant, "illuminant"),
         text(observer, "observer"),
         text(space, "space"),
@@ -163,7 +163,7 @@ def rgb_to_spectrum(
     if colours.ndim == 0 or colours.shape[-1] != 3:
         raise NacreError(f"rgb: must have 3 channels on the last axis (got shape {colours.shape})")
     shape = colours.shape[:-1]
-    values, error = np.empty((*shape, _native.WAVELENGTHS)), np.empty(shape)
+    values, error = np.empty((*shape, _capi.WAVELENGTHS)), np.empty(shape)
     coefficients = None if method == "smits" else np.empty((*shape, 3))
     check(
         lib.nacre_rgb_to_spectrum(

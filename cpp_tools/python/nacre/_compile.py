@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._native import WAVELENGTHS, NacreError, TableSize, check, lib, number, numbers, take_tables
+from ._capi import WAVELENGTHS, TableSize
+from ._native import NacreError, check, lib, number, numbers, take_tables
 from ._native import text as encoded
 
 

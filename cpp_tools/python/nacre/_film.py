@@ -12,9 +12,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native, library
+from . import _capi, library
+from ._capi import WAVELENGTHS
 from ._native import (
-    WAVELENGTHS,
     NacreError,
     check,
     complexes,
@@ -57,7 +57,7 @@ def _index(medium: Any, strict_range: bool) -> np.ndarray:
 
 
 def _variation(varying: int | str | None, layers: int) -> int:
-    """As `nacre_film.varying` of capi.h."""
+    """As `nacre_film.varying` of capi/films.h."""
     if varying is None:
         return -2
     if isinstance(varying, str) and varying == "scale":
@@ -67,7 +67,7 @@ def _variation(varying: int | str | None, layers: int) -> int:
     return int(varying)
 
 
-def _table(info: _native.TableInfo, texels: np.ndarray) -> Table:
+def _table(info: _capi.Table, texels: np.ndarray) -> Table:
     return Table(
         texels,
         (info.x_name.decode(), info.x_min, info.x_max),
@@ -156,7 +156,7 @@ def film_lut(
     flags = np.array([True] * layers if coherent is None else coherent, dtype=np.uint8)
     if flags.shape != (layers,):
         raise NacreError(f"coherent: must have {layers} flags (got {flags.shape})")
-    film = _native.Film(
+    film = _capi.Film(
         layers=layers,
         n=n.ctypes.data,
         d_nm=thickness.ctypes.data,

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native
+from . import _capi
 from ._native import NacreError, check, doubles, lib, text
 
 
@@ -65,7 +65,7 @@ def grating_orders(
     """
     try:
         first, last = (int(order) for order in orders)
-        grating = _native.Grating(float(pitch_nm), float(wavelength_nm))
+        grating = _capi.Grating(float(pitch_nm), float(wavelength_nm))
         grating.phase_rad, grating.duty = float(phase_rad), float(duty)
     except (TypeError, ValueError) as error:
         raise NacreError(f"orders, pitch_nm, wavelength_nm, phase_rad, duty: {error}") from error

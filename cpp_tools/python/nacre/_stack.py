@@ -11,7 +11,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._native import Coherence, GridArray, NacreError, check, complexes, doubles, lib, polarisation
+from ._capi import Coherence, GridArray
+from ._native import NacreError, check, complexes, doubles, lib, polarisation
 
 
 class StackResult(NamedTuple):

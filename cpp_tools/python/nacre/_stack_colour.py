@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native, library
+from . import _capi, library
+from ._capi import WAVELENGTHS
 from ._colour import Colour
 from ._native import (
-    WAVELENGTHS,
     NacreError,
     check,
     complexes,
@@ -33,20 +33,20 @@ class StackColour(NamedTuple):
     wavelengths: np.ndarray
 
 
-def _medium(medium: Any, number: int, strict_range: bool) -> tuple[_native.MediumIndex, Any]:
+def _medium(medium: Any, number: int, strict_range: bool) -> tuple[_capi.MediumIndex, Any]:
     """And what has to live as long."""
     if isinstance(medium, str):
         key = text(medium, f"media[{number}]")
         if strict_range:
             library.medium(medium).index_on_grid(strict_range=True)
-        return _native.MediumIndex(key=key), None
+        return _capi.MediumIndex(key=key), None
     values = complexes(medium, f"media[{number}]")
     if values.shape not in ((), (WAVELENGTHS,)):
         raise NacreError(
             f"media[{number}]: must be a library key, a number or {WAVELENGTHS} numbers for "
             f"360-830 nm (got shape {values.shape})"
         )
-    return _native.MediumIndex(n=values.ctypes.data, count=values.size), values
+    return _capi.MediumIndex(n=values.ctypes.data, count=values.size), values
 
 
 def _colour(colours: np.ndarray) -> Colour:
@@ -119,9 +119,9 @@ def stack_colour(
     indices, kept = zip(
         *(_medium(medium, i, strict_range) for i, medium in enumerate(media)), strict=True
     )
-    stacks = _native.ColourStacks(
+    stacks = _capi.ColourStacks(
         layers=layers,
-        media=(_native.MediumIndex * len(indices))(*indices),
+        media=(_capi.MediumIndex * len(indices))(*indices),
         coherent=flags.ctypes.data,
         count=angle.size,
         d_nm=thickness.ctypes.data,
@@ -129,7 +129,7 @@ def stack_colour(
         polarisation=polarisation(pol),
         sampling=text(sampling, "sampling"),
     )
-    options = _native.ColourOptions(
+    options = _capi.ColourOptions(
         text(illuminant, "illuminant"),
         text(observer, "observer"),
         text(space, "space"),

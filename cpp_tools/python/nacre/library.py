@@ -13,8 +13,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native
-from ._native import WAVELENGTHS, NacreError, check, doubles, lib, text
+from . import _capi, _native
+from ._capi import WAVELENGTHS
+from ._native import NacreError, check, copied, doubles, lib, text
 
 
 class HeldEnds(NamedTuple):
@@ -119,7 +120,7 @@ def keys(kind: str = "media", search: str = "", tag: str = "") -> list[str]:
 
 def _words(kind: str, key: str) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
     """Formula, tags and changes."""
-    found = _native.LibraryWords()
+    found = _capi.LibraryWords()
     check(lib.nacre_library_words_of(_KINDS[kind], text(key, "key"), ctypes.byref(found)))
     tags, changes = (tuple(lines.decode().splitlines()) for lines in (found.tags, found.changes))
     return found.formula.decode(), tags, changes
@@ -127,7 +128,7 @@ def _words(kind: str, key: str) -> tuple[str, tuple[str, ...], tuple[str, ...]]:
 
 def medium(key: str) -> Medium:
     """One medium by its key. Raises NacreError for an unknown one; the message names near ones."""
-    found = _native.Medium()
+    found = _capi.Medium()
     check(lib.nacre_library_medium(text(key, "key"), ctypes.byref(found)))
     return Medium(
         found.key.decode(),
@@ -142,15 +143,15 @@ def medium(key: str) -> Medium:
 def spectrum(key: str) -> Spectrum:
     """One spectrum by its key, e.g. `colorchecker/dark-skin`. Raises NacreError for an unknown one;
     the message names near ones."""
-    found = _native.Spectrum()
+    found = _capi.Spectrum()
     check(lib.nacre_library_spectrum(text(key, "key"), ctypes.byref(found)))
     return _spectrum_from(found, _words("spectra", key)[1])
 
 
-def _spectrum_from(found: _native.Spectrum, tags: tuple[str, ...]) -> Spectrum:
+def _spectrum_from(found: _capi.Spectrum, tags: tuple[str, ...]) -> Spectrum:
     wavelengths, values = (
-        np.ctypeslib.as_array(pointer, (found.count,)).copy()
-        for pointer in (found.wavelength_nm, found.values)
+        copied(address, ctypes.c_double, (found.count,))
+        for address in (found.wavelength_nm, found.values)
     )
     fields = (found.key, found.name, found.kind, found.references, found.licence, found.comments)
     key, name, kind, references, licence, comments = (field.decode() for field in fields)
@@ -184,7 +185,7 @@ def read(
     try:
         spectra = []
         for index in range(lib.nacre_spectra_count(handle)):
-            found, tags = _native.Spectrum(), ctypes.c_char_p()
+            found, tags = _capi.Spectrum(), ctypes.c_char_p()
             check(lib.nacre_spectra_at(handle, index, ctypes.byref(found), ctypes.byref(tags)))
             spectra.append(_spectrum_from(found, tuple((tags.value or b"").decode().splitlines())))
         return spectra
@@ -201,7 +202,7 @@ def add(spectra: Spectrum | Iterable[Spectrum], *, replace: bool = False) -> Non
     exists, wavelengths that do not ascend, and values that do not suit the kind.
     """
     entries = [spectra] if isinstance(spectra, Spectrum) else list(spectra)
-    records = (_native.Spectrum * len(entries))()
+    records = (_capi.Spectrum * len(entries))()
     tags = (ctypes.c_char_p * len(entries))()
     arrays = []  # what the records point to
     for index, entry in enumerate(entries):
@@ -211,8 +212,8 @@ def add(spectra: Spectrum | Iterable[Spectrum], *, replace: bool = False) -> Non
         for field in ("key", "name", "kind", "references", "licence", "comments"):
             setattr(records[index], field, text(getattr(entry, field), field))
         records[index].count = wavelengths.size
-        records[index].wavelength_nm = wavelengths.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
-        records[index].values = values.ctypes.data_as(ctypes.POINTER(ctypes.c_double))
+        records[index].wavelength_nm = wavelengths.ctypes.data
+        records[index].values = values.ctypes.data
         tags[index] = text("\n".join(entry.tags), "tags")
     check(lib.nacre_library_add_spectra(len(entries), records, tags, int(replace)))
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native, library
+from . import _capi, _native, library
 from ._native import NacreError, check, doubles, lib, text
 
 
@@ -126,7 +126,7 @@ def _sum(
     if wavelengths.ndim != 1:
         raise NacreError(f"wavelength_nm: must have shape (N,) (got {wavelengths.shape})")
     given = [shapes] if isinstance(shapes, Shape) else list(shapes)
-    records = (_native.Shape * len(given))()
+    records = (_capi.Shape * len(given))()
     kept = [_fill(record, shape) for record, shape in zip(records, given, strict=True)]
     sums = np.empty(wavelengths.shape)
     pointers = wavelengths.ctypes.data, sums.ctypes.data
@@ -135,7 +135,7 @@ def _sum(
     return sums
 
 
-def _fill(record: _native.Shape, shape: Shape) -> object:
+def _fill(record: _capi.Shape, shape: Shape) -> object:
     """Writes the shape into the record. @return what the record points to"""
     if type(shape) in _NUMBERS:
         record.kind = _NUMBERS[type(shape)]
@@ -159,7 +159,7 @@ def _fill(record: _native.Shape, shape: Shape) -> object:
     return None
 
 
-def _point(record: _native.Shape, wavelength_nm: ArrayLike, values: ArrayLike) -> object:
+def _point(record: _capi.Shape, wavelength_nm: ArrayLike, values: ArrayLike) -> object:
     wavelengths = doubles(wavelength_nm, "wavelength_nm")
     if wavelengths.ndim != 1:
         raise NacreError(f"wavelength_nm: must have shape (N,) (got {wavelengths.shape})")

@@ -18,7 +18,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _native
-from ._native import NacreError, Texture, check, doubles, lib, text
+from ._capi import Texture
+from ._native import NacreError, check, copied, doubles, lib, text
 
 WAVELENGTH_NM = np.arange(324.0, 836.0)
 """Of the 512 samples that a texture holds of a spectrum."""
@@ -240,8 +241,7 @@ def read_ftxt(path: str | os.PathLike[str]) -> Ftxt:
             lib.nacre_ftxt_key(handle, i).decode(): lib.nacre_ftxt_value(handle, i).decode()
             for i in range(lib.nacre_ftxt_comments(handle))
         }
-        texels = ctypes.cast(texture.texels, ctypes.POINTER(ctypes.c_float))
-        return Ftxt(np.ctypeslib.as_array(texels, shape).copy(), comments)
+        return Ftxt(copied(texture.texels, ctypes.c_float, shape), comments)
     finally:
         lib.nacre_ftxt_free(handle)
 

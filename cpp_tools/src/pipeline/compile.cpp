@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/pipeline/compile.h"
+#include "nacre/kinds/held_media.h"
 
 #include <utility>
 

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "nacre/library/lights.h"
 #include "nacre/lut/tint_basis.h"
 #include "nacre/oslgen/literals.h"
 #include "nacre/spectral/wavelength_sampling.h"

@@ -88,7 +88,7 @@ Vec3 ColourWeights::white() const noexcept
 Vec3 emission_white(ObserverId observer_id)
 {
     if (observer_id == ObserverId::cie1931) return d65_white();
-    const Vec3 white = emission_to_xyz(named_illuminant("D65").power, observer_id);
+    const Vec3 white = emission_to_xyz(cie_illuminant("D65").power, observer_id);
     return scaled(white, 1.0 / white[1]);
 }
 

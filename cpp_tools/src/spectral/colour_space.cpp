@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "nacre/spectral/colour.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -8,7 +8,6 @@
 #include <cmath>
 
 #include "csv_table.h"
-#include "illuminant_table.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/spectral/spectrum.h"
 
@@ -21,6 +20,11 @@ namespace {
     throw InputError({.file = {},
                       .field = field,
                       .message = fmt::format("must be within {} … {} K (got {})", low, high, got)});
+}
+
+[[noreturn]] void throw_line_problem(std::string message)
+{
+    throw InputError({.file = {}, .field = "illuminant", .message = std::move(message)});
 }
 
 }  // namespace
@@ -68,6 +72,27 @@ Spectrum daylight_samples(double kelvin)
     std::vector<double> power = std::move(table.columns[1]);
     for (std::size_t i = 0; i < power.size(); ++i) power[i] += m1 * s1[i] + m2 * s2[i];
     return {std::move(table.columns[0]), std::move(power)};
+}
+
+Illuminant line_spectrum(const std::vector<SpectralLine>& lines)
+{
+    if (lines.empty()) throw_line_problem("must have at least one line");
+    Illuminant illuminant{.name = "lines", .power = {}};
+    for (const auto& [nm, power] : lines) {
+        if (!(nm >= kFirstNm && nm <= kLastNm))
+            throw_line_problem(fmt::format("must have its lines within {} … {} nm (got {})",
+                                           kFirstNm, kLastNm, nm));
+        if (!(power > 0.0) || !std::isfinite(power))
+            throw_line_problem(
+                fmt::format("must have lines of a finite power > 0 (got {})", power));
+        // Shared by the two neighbours as their distances say: every sum over the grid then equals
+        // the value at the line, linear in between.
+        const double below = std::floor(nm);
+        const auto i = static_cast<std::size_t>(below - kFirstNm);
+        illuminant.power[i] += power * (1.0 - (nm - below));
+        if (nm > below) illuminant.power[i + 1] += power * (nm - below);
+    }
+    return illuminant;
 }
 
 Spectrum line_samples(const std::vector<SpectralLine>& lines)

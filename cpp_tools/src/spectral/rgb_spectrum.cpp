@@ -32,7 +32,7 @@ double smoothstep(double x) noexcept
 const ColourWeights& d65_weights()
 {
     static const ColourWeights weights =
-        reflectance_weights(named_illuminant("D65"), ObserverId::cie1931,
+        reflectance_weights(cie_illuminant("D65"), ObserverId::cie1931,
                             colour_space("lin_rec709_scene"), Adaptation::bradford);
     return weights;
 }

@@ -38,7 +38,7 @@ RisenSpectrum emission_of(const Vec3& rgb, Upsampling how)
     const double room = how == Upsampling::sigmoid ? 2.0 : 1.0;
     const double scale = largest > 0.0 ? room * largest : 1.0;
     RisenSpectrum filter = reflectance_of({rgb[0] / scale, rgb[1] / scale, rgb[2] / scale}, how);
-    const Sampled light = named_illuminant("D65").power;
+    const Sampled light = cie_illuminant("D65").power;
     const double white = emission_to_xyz(light, ObserverId::cie1931)[1];
     for (std::size_t i = 0; i < kWavelengths; ++i) filter.values[i] *= scale * light[i] / white;
     return filter;

@@ -4,6 +4,7 @@
 #include "refusal.h"
 
 #include <gtest/gtest.h>
+#include "support/not_numbers.h"
 
 #include <cmath>
 #include <string>
@@ -58,6 +59,81 @@ TEST(CapiColour, RgbToSpectrum)
     EXPECT_EQ(error(nacre_rgb_to_spectrum(1, rgb.data(), "lin_rec709_scene", "smits", 0,
                                           values.data(), coefficients.data(), nullptr)),
               "coefficients: must be null with the method smits");
+}
+
+using nacre::test::kNan;
+
+struct Spectrum {
+    std::vector<double> wavelength{360.0, 830.0}, values{1.0, 1.0};
+    int reflectance = 1;
+    const char *illuminant = "D65", *observer = "cie1931", *space = "lin_rec709_scene";
+    nacre_colour colour{{-7.0}, {-7.0}, {-7.0}};
+
+    nacre_status operator()()
+    {
+        return nacre_spectrum_to_colour(values.size(), wavelength.data(), values.data(),
+                                        reflectance, illuminant, observer, space, &colour);
+    }
+};
+
+TEST(CapiColour, PerfectWhiteIsOne)
+{
+    for (const char* illuminant : {"D65", "A", "E", "D50"}) {
+        for (const char* space : {"lin_rec709_scene", "lin_rec2020_scene", "lin_ap1_scene"}) {
+            Spectrum white;
+            white.illuminant = illuminant;
+            white.space = space;
+            ASSERT_EQ(white(), NACRE_OK);
+            for (const double channel : white.colour.rgb) EXPECT_NEAR(channel, 1.0, 1e-12);
+            EXPECT_NEAR(white.colour.XYZ[1], 1.0, 1e-14);
+            EXPECT_NEAR(white.colour.Lab[0], 100.0, 1e-11);
+            EXPECT_NEAR(white.colour.Lab[1], 0.0, 1e-10);
+        }
+    }
+}
+
+TEST(CapiColour, EmissionNeedsNoIlluminant)
+{
+    Spectrum equal_energy;
+    equal_energy.reflectance = 0;
+    equal_energy.illuminant = nullptr;
+    ASSERT_EQ(equal_energy(), NACRE_OK);
+    for (const double value : equal_energy.colour.XYZ) EXPECT_NEAR(value, 1.0, 1e-3);
+}
+
+TEST(CapiColour, RefusesUnknownNamesAndBadSamples)
+{
+    const auto with = [](auto&& change) {
+        Spectrum spectrum;
+        change(spectrum);
+        const std::string message = error(spectrum());
+        EXPECT_EQ(spectrum.colour.XYZ[0], -7.0) << message;
+        return message;
+    };
+    EXPECT_NE(with([](Spectrum& s) { s.illuminant = "X"; }).find("D65"), std::string::npos);
+    EXPECT_NE(with([](Spectrum& s) { s.observer = "X"; }).find("cie1964"), std::string::npos);
+    EXPECT_NE(with([](Spectrum& s) { s.space = "X"; }).find("lin_ap1_scene"), std::string::npos);
+    const std::string descending = with([](Spectrum& s) { s.wavelength = {500.0, 400.0}; });
+    EXPECT_TRUE(descending.starts_with("wavelength_nm")) << descending;
+    EXPECT_NE(with([](Spectrum& s) { s.values[1] = kNan; }), "");
+    EXPECT_NE(with([](Spectrum& s) { s.values.clear(); }), "");
+    EXPECT_NE(with([](Spectrum& s) { s.wavelength = {100.0, 200.0}; }), "");  // off the grid
+    EXPECT_EQ(with([](Spectrum& s) { s.illuminant = nullptr; }), "illuminant: must not be null");
+    EXPECT_EQ(with([](Spectrum& s) { s.observer = nullptr; }), "observer: must not be null");
+    EXPECT_EQ(with([](Spectrum& s) { s.space = nullptr; }), "space: must not be null");
+}
+
+TEST(CapiColour, RefusesNullArrays)
+{
+    const double value = 1.0;
+    nacre_colour colour;
+    const auto call = [](const double* nm, const double* values, nacre_colour* out) {
+        return error(nacre_spectrum_to_colour(1, nm, values, 0, nullptr, "cie1931",
+                                              "lin_rec709_scene", out));
+    };
+    EXPECT_EQ(call(&value, &value, nullptr), "colour: must not be null");
+    EXPECT_EQ(call(nullptr, &value, &colour), "wavelength_nm: must not be null");
+    EXPECT_EQ(call(&value, nullptr, &colour), "values: must not be null");
 }
 
 }  // namespace

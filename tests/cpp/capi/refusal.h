@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "nacre/capi.h"
+#include "nacre/capi/base.h"
 
 namespace nacre::test {
 

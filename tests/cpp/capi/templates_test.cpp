@@ -78,4 +78,59 @@ TEST(CapiTemplates, SpectrumOfATemplate)
     EXPECT_NE(error(spectrum(200.0, 30.0, "von_kries")).find("adaptation"), std::string::npos);
 }
 
+nacre_status compile(const char* text, nacre_result** result)
+{
+    return nacre_compile_template(text, "film.toml", "D65", "cie1931", "lin_rec709_scene", nullptr,
+                                  1.0, result);
+}
+
+TEST(CapiCompile, MakesTextsAndTables)
+{
+    nacre_result* result = nullptr;
+    ASSERT_EQ(compile(kTemplate, &result), NACRE_OK) << nacre_last_error();
+    EXPECT_STREQ(nacre_result_text(result, "id"), "test_film");
+    EXPECT_NE(std::string(nacre_result_text(result, "osl")).find("shader"), std::string::npos);
+    EXPECT_NE(std::string(nacre_result_text(result, "manifest")).find("\"test_film\""),
+              std::string::npos);
+    EXPECT_EQ(nacre_result_text(result, "colour"), nullptr);
+    EXPECT_EQ(nacre_result_text(result, nullptr), nullptr);
+    EXPECT_EQ(nacre_result_text(nullptr, "id"), nullptr);
+    ASSERT_GE(nacre_result_tables(result), 1U);
+    nacre_table table;
+    ASSERT_EQ(nacre_result_table(result, 0, &table), NACRE_OK);
+    EXPECT_LE(table.error_max, 1.0);
+    nacre_result_free(result);
+}
+
+TEST(CapiCompile, NamesFileLineAndField)
+{
+    nacre_result* result = nullptr;
+    std::string text = kTemplate;
+    text.replace(text.find("min = 100"), 9, "min = -10");
+    const std::string message = error(compile(text.c_str(), &result));
+    EXPECT_TRUE(message.starts_with("film.toml:11: ")) << message;
+    EXPECT_EQ(result, nullptr);
+    EXPECT_TRUE(error(compile("schema = [", &result)).starts_with("film.toml:1: "));
+
+    text = kTemplate;
+    text.replace(text.find("\"air\""), 5, "\"unobtainium/X\"");
+    EXPECT_NE(error(compile(text.c_str(), &result)).find("unobtainium/X"), std::string::npos);
+}
+
+TEST(CapiCompile, RefusesNull)
+{
+    nacre_result* result = nullptr;
+    EXPECT_EQ(error(compile(nullptr, &result)), "text: must not be null");
+    EXPECT_EQ(error(compile(kTemplate, nullptr)), "result: must not be null");
+    const auto call = [&](const char* file, const char* illuminant, const char* observer,
+                          const char* space) {
+        return error(nacre_compile_template(kTemplate, file, illuminant, observer, space, nullptr,
+                                            1.0, &result));
+    };
+    EXPECT_EQ(call(nullptr, "D65", "cie1931", "xyz_d65"), "file: must not be null");
+    EXPECT_EQ(call("f", nullptr, "cie1931", "xyz_d65"), "illuminant: must not be null");
+    EXPECT_EQ(call("f", "D65", nullptr, "xyz_d65"), "observer: must not be null");
+    EXPECT_EQ(call("f", "D65", "cie1931", nullptr), "space: must not be null");
+}
+
 }  // namespace

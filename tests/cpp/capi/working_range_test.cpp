@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/capi/working_range.h"
+#include "nacre/capi/library.h"
 #include "nacre/capi/stack_colour.h"
 #include "refusal.h"
 

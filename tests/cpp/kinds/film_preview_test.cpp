@@ -10,6 +10,8 @@
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
+#include "nacre/kinds/read_template.h"
+#include "nacre/lut/film_table.h"
 
 namespace nacre::kinds {
 namespace {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "film/film_program.h"
+#include "nacre/kinds/read_template.h"
 #include "support/expect.h"
 
 namespace nacre::kinds {

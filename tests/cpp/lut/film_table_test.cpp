@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "films.h"
+#include "nacre/optics/multilayer.h"
 #include "support/expect.h"
 
 namespace nacre::lut {

@@ -8,10 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "nacre/library/lights.h"
+#include "nacre/library/media_library.h"
 #include "nacre/lut/film_table.h"
 #include "nacre/spectral/illuminant.h"
 #include "nacre/spectral/observer.h"
-#include "nacre/spectral/optical_constants.h"
 
 /// @file
 /// Requests for the tests of film tables.

@@ -7,6 +7,7 @@
 
 #include "nacre/lut/film_table.h"
 #include "nacre/optics/microsurface_walk.h"
+#include "nacre/optics/multilayer.h"
 
 namespace nacre::lut::test {
 

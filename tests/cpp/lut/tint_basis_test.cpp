@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "nacre/library/lights.h"
 #include "nacre/spectral/illuminant.h"
 #include "nacre/spectral/wavelength_sampling.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/optics/microfacet.h"
+#include "nacre/optics/smith.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 
 #include "nacre/optics/fresnel.h"
 #include "nacre/optics/microfacet.h"
+#include "nacre/optics/smith.h"
 
 namespace nacre::optics {
 namespace {

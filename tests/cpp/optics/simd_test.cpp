@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "simd.h"
+#include "lanes/simd.h"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include "stack_batch_clone.h"
 
 // NOLINTBEGIN: copies with another macro are the point
-#include "optics/angled_stack.cpp"
-#include "optics/lane_fields.cpp"
-#include "optics/phase_map.cpp"
-#include "optics/stack_batch.cpp"
+#include "optics/lanes/angled_stack.cpp"
+#include "optics/lanes/lane_fields.cpp"
+#include "optics/lanes/phase_map.cpp"
+#include "optics/lanes/stack_batch.cpp"
 // NOLINTEND
 
 namespace nacre_clones {

@@ -7,6 +7,9 @@
 #include <numbers>
 
 #include "nacre/core/diagnostics.h"
+#include "nacre/library/lights.h"
+#include "nacre/library/media_library.h"
+#include "nacre/optics/multilayer.h"
 #include "support/expect.h"
 
 namespace nacre::optics {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "colour_references.h"
+#include "nacre/library/lights.h"
 #include "nacre/spectral/spectrum.h"
 #include "support/expect.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/spectral/rgb_spectrum.h"
+#include "nacre/library/lights.h"
 
 #include <gtest/gtest.h>
 

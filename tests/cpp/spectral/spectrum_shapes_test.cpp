@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "nacre/core/limits.h"
-#include "nacre/spectral/spectrum_library.h"
+#include "nacre/library/spectrum_library.h"
 #include "support/expect.h"
 #include "support/not_numbers.h"
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/spectral/wavelength_sampling.h"
+#include "nacre/library/lights.h"
 
 #include <algorithm>
 #include <cmath>

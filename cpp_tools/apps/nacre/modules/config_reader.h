@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "../colour_config.h"
+#include "modules/config_space.h"
 
 /// @file
 /// What the module `ocio` gives: the OpenColorIO that the tool is built with.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "../image_file.h"
+#include "modules/image.h"
 
 /// @file
 /// What the module `images` gives: OpenImageIO, and no more of it than the tool needs.

@@ -8,8 +8,8 @@
 #include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
-#include "image_codec.h"
-#include "module_entry.h"
+#include "modules/image_codec.h"
+#include "modules/module_entry.h"
 
 namespace nacre::tool {
 namespace {

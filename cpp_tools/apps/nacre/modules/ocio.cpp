@@ -4,12 +4,13 @@
 
 #include <OpenColorIO/OpenColorIO.h>
 
-#include "config_reader.h"
-#include "module_entry.h"
+#include "modules/config_reader.h"
+#include "modules/module_entry.h"
 
 namespace OCIO = OCIO_NAMESPACE;
 
-// Its twin for other versions is ../ocio/read_config.py: what one does the other does.
+// Its twin for other versions is cpp_tools/integrations/ocio/read_config.py: what one does the
+// other does.
 namespace nacre::tool {
 namespace {
 

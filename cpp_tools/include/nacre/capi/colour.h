@@ -3,17 +3,31 @@
 #ifndef NACRE_CAPI_COLOUR_H
 #define NACRE_CAPI_COLOUR_H
 
-#include "nacre/capi.h"
+#include "nacre/capi/base.h"
 
 /**
  * @file
- * Colours of many spectra and spectra of colours; the rules of nacre/capi.h hold.
+ * Colours of spectra and spectra of colours; the rules of nacre/capi.h hold.
  */
 
 /* C names are lower case with a prefix. NOLINTBEGIN(readability-identifier-naming) */
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+typedef struct nacre_colour {
+    double XYZ[3], Lab[3], rgb[3];
+} nacre_colour;
+
+/**
+ * Colour of a spectrum; outside its samples the nearest one holds.
+ * @param reflectance  1: reflectance or transmittance under `illuminant`; 0: emission (no
+ * illuminant)
+ */
+NACRE_API nacre_status nacre_spectrum_to_colour(size_t count, const double* wavelength_nm,
+                                                const double* values, int reflectance,
+                                                const char* illuminant, const char* observer,
+                                                const char* space, nacre_colour* colour);
 
 typedef struct nacre_colour_options {
     const char *illuminant, *observer, *space; /**< illuminant: of a reflectance */

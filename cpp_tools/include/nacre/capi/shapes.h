@@ -3,7 +3,7 @@
 #ifndef NACRE_CAPI_SHAPES_H
 #define NACRE_CAPI_SHAPES_H
 
-#include "nacre/capi.h"
+#include "nacre/capi/base.h"
 
 /**
  * @file

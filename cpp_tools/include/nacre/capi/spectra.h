@@ -3,7 +3,6 @@
 #ifndef NACRE_CAPI_SPECTRA_H
 #define NACRE_CAPI_SPECTRA_H
 
-#include "nacre/capi.h"
 #include "nacre/capi/library.h"
 
 /**

@@ -3,18 +3,27 @@
 #ifndef NACRE_CAPI_TEMPLATES_H
 #define NACRE_CAPI_TEMPLATES_H
 
-#include "nacre/capi.h"
+#include "nacre/capi/tables.h"
 
 /**
  * @file
- * The film of a template while it is edited; the rules of nacre/capi.h hold. `adaptation` is that
- * of nacre_compile_template().
+ * Templates to materials, and the film of one while it is edited; the rules of nacre/capi.h hold.
+ * `adaptation` is that of nacre_compile_template().
  */
 
 /* C names are lower case with a prefix. NOLINTBEGIN(readability-identifier-naming) */
 #ifdef __cplusplus
 extern "C" {
 #endif
+
+/**
+ * Template text to compiled material; `file` is what messages call it, `adaptation` that of
+ * nacre_colour_options (nacre/capi/colour.h) or NULL.
+ */
+NACRE_API nacre_status nacre_compile_template(const char* text, const char* file,
+                                              const char* illuminant, const char* observer,
+                                              const char* space, const char* adaptation,
+                                              double tolerance, nacre_result** result);
 
 /** A table that a compiled material has, as its manifest states it. */
 typedef struct nacre_table_size {

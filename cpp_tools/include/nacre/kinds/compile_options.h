@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "nacre/media/working_range.h"
 #include "nacre/spectral/colour.h"
-#include "nacre/spectral/working_range.h"
 
 namespace nacre::kinds {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "nacre/kinds/kind.h"
-#include "nacre/lut/film_table.h"
+#include "nacre/lut/film_request.h"
 #include "nacre/material/fields.h"
 
 /// @file

@@ -58,9 +58,4 @@ protected:
     Kind& operator=(Kind&&) = default;
 };
 
-/// Media of a template whose data end within 360 … 830 nm, each once; the manifest has them, too.
-/// @throws InputError with the template's lines, also where a medium may not be held
-[[nodiscard]] std::vector<spectral::HeldEnds> held_media(const MaterialTemplate& source,
-                                                         const CompileOptions& options);
-
 }  // namespace nacre::kinds

@@ -5,9 +5,9 @@
 #include <string>
 
 #include "nacre/core/diagnostics.h"
-#include "nacre/lut/film_table.h"
+#include "nacre/lut/film_request.h"
 #include "nacre/material/medium.h"
-#include "nacre/spectral/working_range.h"
+#include "nacre/media/working_range.h"
 
 /// @file
 /// The media of a template, looked up.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "nacre/lut/film_table.h"
+#include "nacre/lut/film_request.h"
 
 /// @file
 /// A film seen from below by light of every direction: what a matt base under it needs to know.

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "nacre/lut/film_table.h"
+#include "nacre/lut/film_request.h"
 #include "nacre/optics/rgb_film.h"
 
 /// @file

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "nacre/lut/film_table.h"
+#include "nacre/lut/film_request.h"
 #include "nacre/lut/inner_tables.h"
 #include "nacre/lut/rough_glass_tables.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "nacre/lut/film_table.h"
+#include "nacre/lut/film_request.h"
 
 /// @file
 /// Reflectance over the facet's cosine as a sum of powers, which renderers evaluate at each

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "nacre/optics/multilayer.h"
+#include "nacre/optics/film_stack.h"
 
 /// @file
 /// Closed forms for one film, as they are found in the literature on rendering, each with the

@@ -12,9 +12,6 @@
 
 namespace nacre::optics {
 
-/// Smith's Λ: the masked share of a direction is Λ/(1 + Λ).
-[[nodiscard]] double smith_lambda(double cos_theta, double alpha) noexcept;
-
 /// How often a view meets the facets at each angle, over the facets that it sees and whose mirrored
 /// light gets out: the mean of a reflectance R over the rough surface is Σ weights[i] R(c_i) for a
 /// reflectance that is linear in the facet's cosine between the steps c_i = i/(n − 1), n the size.

@@ -5,37 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "nacre/optics/fresnel.h"
+#include "nacre/optics/film_stack.h"
+
+/// @file
+/// What a stack of layers does to light.
 
 namespace nacre::optics {
-
-enum class Polarisation { s, p };
-
-struct Layer {
-    Complex n;
-    double thickness_nm;
-    bool coherent = true;
-    /// Standard deviation of a thickness that varies within what is looked at; what is asked for is
-    /// then the mean over the phases of this layer, at the attenuation of its mean thickness.
-    double spread_nm = 0.0;
-};
-
-/// A stack at one wavelength, listed from the ambient (camera side) down.
-struct FilmStack {
-    Complex ambient;
-    std::vector<Layer> layers;
-    Complex substrate;
-};
-
-/// Amplitudes of the whole stack; both are measured at the outer interfaces.
-struct Amplitudes {
-    Complex r, t;
-};
-
-/// Power ratios of the whole stack; A = 1 − R − T.
-struct PowerRatios {
-    double R, T, A;
-};
 
 /// Coherent stack by the recursion from the substrate up (Hirayama et al. 2001, eq. 8–11 in form
 /// A18); only exp(2 i Δ), |·| ≤ 1, is ever formed, so opaque layers underflow quietly.
@@ -72,15 +47,7 @@ struct PowerRatios {
 [[nodiscard]] bool has_amplitudes(const FilmStack& stack) noexcept;
 
 /// What is wrong with a stack, or nothing: an index that is not finite, n ≤ 0, k < 0 (gain),
-/// a negative or infinite thickness or spread, an absorbing ambient, more than 64 layers. Fields
-/// are named as in `n[3]`, `d_nm[1]`; the caller adds file and line.
-struct StackProblem {
-    const char* field;  ///< "n", "d_nm" or "spread_nm"
-    int index;
-    const char* message;
-};
+/// a negative or infinite thickness or spread, an absorbing ambient, more than 64 layers.
 [[nodiscard]] std::optional<StackProblem> validate(const FilmStack& stack) noexcept;
-
-inline constexpr int kMaxLayers = 64;
 
 }  // namespace nacre::optics

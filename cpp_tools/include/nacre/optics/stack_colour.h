@@ -5,11 +5,9 @@
 #include <cstddef>
 #include <memory>
 #include <span>
-#include <vector>
 
-#include "nacre/optics/multilayer.h"
+#include "nacre/optics/dispersive_stack.h"
 #include "nacre/spectral/colour_quadrature.h"
-#include "nacre/spectral/optical_constants.h"
 
 /// @file
 /// The colour of one stack at one angle, from as few wavelengths as it takes.
@@ -19,19 +17,6 @@ namespace nacre::optics {
 struct StackColour {
     spectral::Vec3 reflectance, transmittance;  ///< in the space of the weights
     std::size_t evaluations;                    ///< wavelengths at which the stack was computed
-};
-
-/// Media and coherence of a stack whose thicknesses and angle are free.
-struct DispersiveStack {
-    /// From the ambient to the substrate; up to 1e-5 of the ambient's k is dropped.
-    std::vector<spectral::OpticalConstantsPtr> media;
-    std::vector<bool> coherent;  ///< one flag a layer: media.size() − 2
-};
-
-/// Light at one angle.
-struct ObliqueLight {
-    double cos_ambient;       ///< in (0, 1]
-    double share_of_s = 0.5;  ///< 0.5: unpolarised; 1: s; 0: p
 };
 
 /// Colours from the wavelengths of a quadrature, whatever the stack does in between. Indices are

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "nacre/spectral/colour.h"
-#include "nacre/spectral/spectrum_files.h"
+#include "nacre/spectral/named_spectrum.h"
 
 /// @file
 /// From colours to spectra that have them: many do, these are smooth ones.

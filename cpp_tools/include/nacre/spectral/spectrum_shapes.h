@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "nacre/spectral/spectrum_files.h"
+#include "nacre/spectral/named_spectrum.h"
 
 /// @file
 /// Spectra made by hand: a sum of simple shapes, sampled in equal steps.

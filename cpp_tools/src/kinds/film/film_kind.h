@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "../kind_info.h"
+#include "base/kind_info.h"
 #include "nacre/kinds/film.h"
 
 namespace nacre::kinds {

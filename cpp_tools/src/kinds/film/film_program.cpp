@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "film_program.h"
+#include "film/film_program.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "fields.h"
+#include "film/fields.h"
 
 namespace nacre::kinds::film {
 namespace {

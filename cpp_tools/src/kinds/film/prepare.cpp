@@ -4,14 +4,15 @@
 #include <iterator>
 #include <utility>
 
-#include "fields.h"
-#include "film_program.h"
+#include "film/fields.h"
+#include "film/film_program.h"
+#include "film/solid_index.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/kinds/film.h"
+#include "nacre/lut/film_table.h"
 #include "nacre/lut/inner_tables.h"
 #include "nacre/lut/rough_glass_tables.h"
 #include "nacre/lut/schlick_fit.h"
-#include "solid_index.h"
 
 namespace nacre::kinds {
 namespace film {

@@ -7,11 +7,11 @@
 #include <optional>
 #include <utility>
 
+#include "film/solid_index.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/optics/film_model_stack.h"
 #include "nacre/optics/multilayer.h"
 #include "nacre/spectral/wavelengths.h"
-#include "solid_index.h"
 
 namespace nacre::kinds {
 namespace film {

@@ -6,8 +6,8 @@
 #include <array>
 #include <utility>
 
-#include "fields.h"
-#include "film_kind.h"
+#include "film/fields.h"
+#include "film/film_kind.h"
 #include "nacre/material/schema.h"
 
 namespace nacre::kinds {

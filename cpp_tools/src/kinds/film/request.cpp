@@ -4,11 +4,11 @@
 #include <optional>
 #include <utility>
 
+#include "film/solid_index.h"
+#include "film/technique.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/kinds/film.h"
 #include "nacre/kinds/media_reader.h"
-#include "solid_index.h"
-#include "technique.h"
 
 namespace nacre::kinds {
 namespace film {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "technique.h"
+#include "film/technique.h"
 
 #include <fmt/format.h>
 

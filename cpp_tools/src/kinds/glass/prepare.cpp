@@ -6,12 +6,12 @@
 #include <array>
 #include <vector>
 
-#include "../path_wavelengths.h"
-#include "glass.h"
+#include "base/path_wavelengths.h"
+#include "glass/glass.h"
+#include "glass/sliders.h"
 #include "nacre/kinds/media_reader.h"
 #include "nacre/oslgen/literals.h"
 #include "nacre/oslgen/shader_source.h"
-#include "sliders.h"
 
 namespace nacre::kinds {
 namespace glass {

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "glass.h"
+#include "glass/glass.h"
+#include "glass/sliders.h"
 #include "nacre/kinds/film.h"
 #include "nacre/material/schema.h"
-#include "sliders.h"
 
 namespace nacre::kinds {
 namespace glass {

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "grating.h"
+#include "grating/grating.h"
 
 namespace nacre::kinds::grating {
 

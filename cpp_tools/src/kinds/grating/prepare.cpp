@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "../path_wavelengths.h"
-#include "fields.h"
+#include "base/path_wavelengths.h"
+#include "grating/fields.h"
 #include "nacre/kinds/media_reader.h"
 #include "nacre/lut/tint_basis.h"
 #include "nacre/oslgen/literals.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "fields.h"
+#include "grating/fields.h"
 #include "nacre/material/schema.h"
 
 namespace nacre::kinds {

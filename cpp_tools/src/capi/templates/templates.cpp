@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Nacre contributors
+// SPDX-License-Identifier: Apache-2.0
+#include "nacre/capi/templates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/guard.h"
+#include "colour/colour_maker.h"
+#include "nacre/kinds/film_preview.h"
+#include "nacre/kinds/read_template.h"
+#include "tables/result.h"
+#include "templates/compile_options.h"
+
+namespace nacre::capi {
+
+kinds::CompileOptions compile_options(const char* text, const char* file, const ColourNames& colour)
+{
+    for (const auto& [pointer, field] : {std::pair{text, "text"},
+                                         {file, "file"},
+                                         {colour.illuminant, "illuminant"},
+                                         {colour.observer, "observer"},
+                                         {colour.space, "space"}})
+        require(pointer, field);
+    kinds::CompileOptions options;
+    options.illuminant = colour.illuminant;
+    options.observer = spectral::observer_from_name(colour.observer);
+    options.space = colour.space;
+    options.adaptation = adaptation_or_bradford(colour.adaptation);
+    return options;
+}
+
+}  // namespace nacre::capi
+
+extern "C" {
+
+nacre_status nacre_preview_template(const char* text, const char* file, const char* illuminant,
+                                    const char* observer, const char* space, const char* adaptation,
+                                    size_t count, const nacre_table_size* sizes,
+                                    nacre_result** result)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        if (count > 0) capi::require(sizes, "sizes");
+        capi::require(result, "result");
+        const auto options =
+            capi::compile_options(text, file, {illuminant, observer, space, adaptation});
+        std::vector<kinds::TableLayout> layout;
+        for (const nacre_table_size& size : std::span(sizes, count)) {
+            capi::require(size.name, "sizes.name");
+            const auto role = table_role(size.name);
+            if (!role)
+                capi::fail("sizes.name",
+                           fmt::format("must be the name of a table (got \"{}\")", size.name));
+            layout.push_back({*role, {size.width, size.height}});
+        }
+        auto made = std::make_unique<nacre_result>();
+        made->tables = kinds::preview_tables(kinds::parse_template(text, file), options, layout);
+        *result = made.release();
+    });
+}
+
+nacre_status nacre_template_spectrum(const char* text, const char* file, const char* illuminant,
+                                     const char* observer, const char* space,
+                                     const char* adaptation, double value, double angle_deg,
+                                     double* reflectance, double* transmittance, double* colours)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        for (const auto& [pointer, field] : {std::pair{reflectance, "reflectance"},
+                                             {transmittance, "transmittance"},
+                                             {colours, "colours"}})
+            capi::require(pointer, field);
+        if (!(angle_deg >= 0.0 && angle_deg < 90.0))
+            capi::fail("angle_deg", fmt::format("must be in [0, 90) (got {})", angle_deg));
+        if (!(std::isfinite(value) && value >= 0.0))
+            capi::fail("value", fmt::format("must be ≥ 0 and finite (got {})", value));
+        const auto options =
+            capi::compile_options(text, file, {illuminant, observer, space, adaptation});
+        const kinds::FilmSpectrum spectrum =
+            kinds::film_spectrum(kinds::parse_template(text, file), options,
+                                 std::cos(angle_deg * std::numbers::pi / 180.0), value);
+        std::ranges::copy(spectrum.reflectance, reflectance);
+        std::ranges::copy(spectrum.transmittance, transmittance);
+        std::ranges::copy(spectrum.colour.reflectance, colours);
+        std::ranges::copy(spectrum.colour.transmittance, colours + 3);
+    });
+}
+}
