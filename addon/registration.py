@@ -6,48 +6,32 @@ from __future__ import annotations
 
 import bpy
 
-from . import properties
-from .nodes import (
-    asset_build,
-    asset_libraries,
-    fallback,
-    film_colours,
-    follow,
-    limits,
-    live,
-    my_looks,
-    schema,
-    thumbnails,
-    variations,
-    views,
-)
-from .nodes import assets as asset_library
-from .operators import (
-    assets,
-    assign,
-    fix,
-    lighting,
-    looks,
-    manual,
-    passes,
-    picture,
-    probe,
-    stack,
-    thickness,
-)
-from .operators import variations as variation_operators
-from .ui import (
-    browser,
-    drops,
-    looks_panel,
-    menus,
-    panels,
-    preferences,
-    stack_panel,
-    swatch,
-    variations_panel,
-    viewer_panel,
-)
+from .assets import build as asset_library
+from .assets import operators as assets
+from .assets import process as asset_build
+from .blender import asset_libraries, drops
+from .browser import assign, thumbnails
+from .browser import panel as browser
+from .films import colours as film_colours
+from .films import live, properties, swatch
+from .films import operators as stack
+from .films import panel as stack_panel
+from .help import operators as manual
+from .lighting import operators as lighting
+from .looks import my_looks
+from .looks import operators as looks
+from .looks import panel as looks_panel
+from .materials import fallback, fix, follow, limits, preferences, schema
+from .materials import menu as menus
+from .materials import panel as panels
+from .thickness import operators as thickness
+from .variations import drawn as variations
+from .variations import operators as variation_operators
+from .variations import panel as variations_panel
+from .viewer import panel as viewer_panel
+from .viewer import pass_operators as passes
+from .viewer import picture, views
+from .viewer import probe_operators as probe
 
 _CLASSES = (
     *properties.CLASSES,
@@ -124,6 +108,6 @@ def unregister() -> None:
 
 def _run_command(argv: list[str]) -> int:
     """`blender --command nacre …`; a scene is rendered without the modules being loaded before."""
-    from . import render
+    from .background import render
 
     return render.main(argv)

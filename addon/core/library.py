@@ -39,7 +39,7 @@ class Library:
     @classmethod
     def default(cls) -> Library:
         """The same one, manifests read once, until a manifest changes: panels ask at each redraw."""
-        bundled = Path(__file__).resolve().parent.parent / "materials"
+        bundled = Path(__file__).resolve().parents[1] / "compiled"
         root = Path(os.environ.get(ENVIRONMENT) or bundled)
         kept = Library._default
         if kept is None or kept.root != root or kept._stamps() != kept._stamp:

@@ -19,7 +19,9 @@ INSIDE = Path(__file__).resolve().parent / "inside"
 
 
 def _load_extension():
-    spec = importlib.util.spec_from_file_location("nacre_driver", ADDON / "driver.py")
+    spec = importlib.util.spec_from_file_location(
+        "nacre_driver", ADDON / "background" / "driver.py"
+    )
     driver = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(driver)
     return driver.load_package()

@@ -10,11 +10,9 @@ import shutil
 
 import numpy as np
 import pytest
-from nacre_extension.core import colour_names
 from nacre_extension.core.form import FormError, Renderer, choose_form
 from nacre_extension.core.library import Library
 from nacre_extension.core.manifest import ManifestError, load_folder
-from nacre_extension.core.messages import spoken
 from nacre_extension.core.oso import (
     OsoError,
     bytecode_hash,
@@ -22,12 +20,14 @@ from nacre_extension.core.oso import (
     parse_parameters,
     strip_provenance,
 )
-from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
 from nacre_extension.core.space import REC709, SpaceError, conversion, converted, parse
 from nacre_extension.core.space import text as space_text
-from nacre_extension.core.thickness import ThicknessError, read_varied, socket_values
 from nacre_extension.core.values import AssignmentError, parse_assignments
 from nacre_extension.core.whole_file import is_whole
+from nacre_extension.films import colour_names
+from nacre_extension.films.messages import spoken
+from nacre_extension.materials.problems import AssignedMaterial, SceneState, find_problems
+from nacre_extension.thickness.sources import ThicknessError, read_varied, socket_values
 
 from support.paths import FIXTURES
 

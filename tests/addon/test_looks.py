@@ -11,8 +11,8 @@ import pytest
 
 from support.paths import materials_folder
 
-variations = importlib.import_module("nacre_extension.core.variations")
-names = importlib.import_module("nacre_extension.core.file_names")
+variations = importlib.import_module("nacre_extension.variations.drawing")
+names = importlib.import_module("nacre_extension.looks.file_names")
 Knob = variations.Knob
 
 KNOBS = (

@@ -365,7 +365,7 @@ def test_without_the_package_a_pixel_is_refused(blender45, tmp_path):
     """The checkout's folder, unlike that of the tool, has no package beside it."""
     output = tmp_path / "out.exr"
     arguments = ("render", "--material", "test_film", *QUICK, "--pixel", "4", "4", "-o", output)
-    done = blender45.process(ADDON / "driver.py", *arguments)
+    done = blender45.process(ADDON / "background" / "driver.py", *arguments)
     assert done.returncode == 1
     assert done.stdout == ""
     assert "--pixel: Needs the Python package nacre" in done.stderr
@@ -375,7 +375,7 @@ def test_without_the_package_a_pixel_is_refused(blender45, tmp_path):
 def test_without_the_package_a_gallery_is_not_whole(blender45, tmp_path):
     arguments = ("render", "--gallery", "--form", "nodes", "--size", "8x8", "--samples", "1")
     few = blender45.with_materials("tempered_steel")
-    done = few.process(ADDON / "driver.py", *arguments, "-o", tmp_path / "gallery")
+    done = few.process(ADDON / "background" / "driver.py", *arguments, "-o", tmp_path / "gallery")
     assert done.returncode == 1
     assert "nacre render: no swatches: Needs the Python package nacre" in done.stderr
     assert (tmp_path / "gallery" / "tempered_steel.png").is_file()

@@ -10,14 +10,14 @@ import math
 import numpy as np
 import OpenImageIO as oiio
 import pytest
-from nacre_extension.core import probe as probes
 from nacre_extension.core.exr import ExrError, read_channels
-from nacre_extension.core.fields import FIELDS
 from nacre_extension.core.light import USUAL
-from nacre_extension.core.probe import Film, Reading, measure, seen_from_behind
-from nacre_extension.core.stack import read_stack, write_template
-from nacre_extension.core.view import frame, height_for
 from nacre_extension.core.whole_file import is_whole
+from nacre_extension.films.stack import read_stack, write_template
+from nacre_extension.viewer import probe as probes
+from nacre_extension.viewer.fields import FIELDS
+from nacre_extension.viewer.probe import Film, Reading, measure, seen_from_behind
+from nacre_extension.viewer.view import frame, height_for
 
 from support.images import read_all
 from support.paths import TEMPLATES

@@ -28,7 +28,7 @@ def tool() -> Path:
 
 
 SHARE = tool().absolute().parents[1] / "share" / "nacre"
-DRIVER = SHARE / "addon" / "driver.py"
+DRIVER = SHARE / "addon" / "background" / "driver.py"
 # Where the tool has the Python package, as a user finds it: with its library beside it.
 PACKAGE = SHARE / "python"
 

@@ -17,8 +17,8 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-assets = module("nodes.assets")
-build = module("nodes.asset_build")
+assets = module("assets.build")
+build = module("assets.process")
 library = module("core.library").Library
 folder = Path(sys.argv[1]) / "assets"
 libraries = bpy.context.preferences.filepaths.asset_libraries

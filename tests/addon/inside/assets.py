@@ -13,12 +13,12 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-assets = module("nodes.assets")
+assets = module("assets.build")
 catalogues = module("core.catalogues")
 words = module("core.words")
 library = module("core.library").Library.default()
-materials = module("nodes.material")
-thickness = module("nodes.thickness")
+materials = module("materials.material")
+thickness = module("thickness.nodes")
 folder = assets.default_folder()
 libraries = bpy.context.preferences.filepaths.asset_libraries
 listed = len(libraries)

@@ -11,8 +11,8 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-groups = module("nodes.group")
+materials = module("materials.material")
+groups = module("materials.group")
 
 
 # Under EEVEE the automatic form is nodes, and the engine stays.
@@ -92,8 +92,8 @@ assert scene.render.motion_blur_shutter == 0.5
 assert all(point.location.y == 1.0 for point in curve.curves[0].points)
 
 # The mends.
-problems = module("core.problems")
-state = module("nodes.scene").state
+problems = module("materials.problems")
+state = module("materials.scene").state
 scene.render.engine = engine
 scene.cycles.shading_system = False
 scene.render.use_motion_blur = False

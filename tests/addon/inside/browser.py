@@ -13,14 +13,14 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-chosen = module("nodes.chosen")
-thumbnails = module("nodes.thumbnails")
+chosen = module("browser.chosen")
+thumbnails = module("browser.thumbnails")
 words = module("core.words")
 entries = module("core.looks").variants(module("core.library").Library.default().entries())
 browser = bpy.context.window_manager.nacre
 
 # All of them at first, each with its picture.
-assert list(entries) == [item[0] for item in module("properties")._choices(browser, None)]
+assert list(entries) == [item[0] for item in module("films.properties")._choices(browser, None)]
 assert browser.choice in entries
 # Without a window pictures are read but have no icons.
 assert set(thumbnails._collections[0]) == set(entries)
@@ -75,7 +75,7 @@ def drawn(material):
     return " ".join(text for text, _ in said), {icon for _, icon in said}, dict(reversed(buttons))
 
 
-panel = module("ui.browser")
+panel = module("browser.panel")
 gratings = {name for name, item in entries.items() if item.entry.kind == "grating"}
 assert {name for name, item in entries.items() if item.entry.forms == ("osl",)} == gratings
 assert drawn("cd")[2]["nacre.assign_material"]

@@ -15,10 +15,10 @@ extension.register()
 
 import nacre  # noqa: E402  the extension knows where it is
 
-materials = module("nodes.material")
-stack = module("nodes.stack")
+materials = module("materials.material")
+stack = module("films.edited")
 light = module("core.light")
-panel = module("ui.stack_panel")
+panel = module("films.panel")
 
 LAMP = light.Conditions("lamp/hps", "cie1964", "none")
 

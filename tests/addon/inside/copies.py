@@ -16,10 +16,10 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-groups = module("nodes.group")
-stack = module("nodes.stack")
-live = module("nodes.live")
+materials = module("materials.material")
+groups = module("materials.group")
+stack = module("films.edited")
+live = module("films.live")
 folder = Path(sys.argv[1])
 
 

@@ -17,7 +17,7 @@ folder = Path(sys.argv[1])
 extension = load()
 extension.register()
 library = module("core.library").Library.default()
-materials, cut_stone = module("nodes.material"), module("nodes.cut_stone")
+materials, cut_stone = module("materials.material"), module("gems.cut_stone")
 
 
 def outputs(material) -> dict[str, str]:
@@ -62,7 +62,7 @@ for stone in ("diamond", "mystic_topaz"):
     )
 
     # Cycles: every bit as without it.
-    module("nodes.lighting").light_scene(bpy.context.scene, "SOFTBOXES", 1.0, 0.0)
+    module("lighting.world").light_scene(bpy.context.scene, "SOFTBOXES", 1.0, 0.0)
     camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
     camera.location, camera.rotation_euler = (3.0, -3.0, 2.5), (1.05, 0.0, 0.785)
     bpy.context.scene.collection.objects.link(camera)
@@ -84,12 +84,12 @@ for stone in ("diamond", "mystic_topaz"):
 
     # A field is seen in both engines, and goes without a trace.
     scene = bpy.context.scene
-    field = module("core.fields").FIELDS[0].id
+    field = module("viewer.fields").FIELDS[0].id
     for engine in ("CYCLES", eevee.engine(scene)):
         scene.render.engine = engine
-        module("nodes.views").show(scene, field)
+        module("viewer.views").show(scene, field)
         assert set(outputs(material).values()) == {"Emission"}
-        module("nodes.views").show(scene, module("core.fields").SHADED)
+        module("viewer.views").show(scene, module("viewer.fields").SHADED)
         assert outputs(material) == as_made
 
     nodes = material.node_tree.nodes

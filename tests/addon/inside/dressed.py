@@ -13,8 +13,8 @@ extension = load()
 extension.register()
 library = module("core.library").Library.default()
 core_looks = module("core.looks")
-looks, thickness = module("nodes.looks"), module("nodes.thickness")
-objects = module("scenes.objects").OBJECTS
+looks, thickness = module("thickness.dress"), module("thickness.nodes")
+objects = module("background.scenes.objects").OBJECTS
 thumbnail = module("core.catalogues").thumbnail
 
 offered = core_looks.variants(library.entries())
@@ -77,6 +77,6 @@ for text, message in (
 
 # A star is for one variant.
 assert bpy.ops.nacre.favourite(material="soap_film:even") == {"FINISHED"}
-assert module("nodes.chosen").favourites(offered) == ["soap_film:even"]
+assert module("browser.chosen").favourites(offered) == ["soap_film:even"]
 bpy.ops.nacre.favourite(material="soap_film:even")
 extension.unregister()

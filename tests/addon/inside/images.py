@@ -15,8 +15,8 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-image_module = module("nodes.image")
+materials = module("materials.material")
+image_module = module("materials.image")
 folder = Path(sys.argv[1])
 BLEND = folder / "tables é.blend"
 
@@ -103,8 +103,8 @@ for damage in (
         continue
     assert materials.missing_tables(material) != (), damage
     assert stands_in == {"nacre_missing_0.5"}, (damage, stands_in)
-    state = module("nodes.scene").state(bpy.context.scene, materials.missing_tables(material))
-    found = module("core.problems").find_problems(materials.describe(material), state)
+    state = module("materials.scene").state(bpy.context.scene, materials.missing_tables(material))
+    found = module("materials.problems").find_problems(materials.describe(material), state)
     assert found[0].text.startswith("Shown flat"), found
     assert bpy.ops.nacre.rebuild_material() == {"FINISHED"}
     assert materials.missing_tables(material) == (), damage

@@ -16,8 +16,8 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-lighting = module("nodes.lighting")
-LIGHTS = [key for key, _, _ in module("core.lighting").LIGHTS]
+lighting = module("lighting.world")
+LIGHTS = [key for key, _, _ in module("lighting.rooms").LIGHTS]
 folder = Path(sys.argv[1])
 
 
@@ -97,7 +97,7 @@ assert bpy.ops.nacre.light_scene(light="SKY") == {"FINISHED"}
 # Cards that things mirror, and that are not seen themselves: towards one the world is as dark as beside it,
 # in a mirror it is bright.
 scene = bpy.context.scene
-seen = module("core.lighting").ROOMS["WINDOW"].softboxes[-1]
+seen = module("lighting.rooms").ROOMS["WINDOW"].softboxes[-1]
 assert seen.is_hidden
 bpy.ops.nacre.light_scene(light="WINDOW")
 for obj in list(scene.objects):

@@ -14,11 +14,11 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-groups = module("nodes.group")
-stack = module("nodes.stack")
-live = module("nodes.live")
-fallback = module("nodes.fallback")
+materials = module("materials.material")
+groups = module("materials.group")
+stack = module("films.edited")
+live = module("films.live")
+fallback = module("materials.fallback")
 folder = Path(sys.argv[1])
 source = folder / "shot.blend"
 

@@ -14,14 +14,14 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-thickness = module("nodes.thickness")
-stack = module("nodes.stack")
-groups = module("nodes.group")
-my_looks = module("nodes.my_looks")
-look_file = module("nodes.look_file")
-names = module("core.file_names")
-looks = module("operators.looks")
+materials = module("materials.material")
+thickness = module("thickness.nodes")
+stack = module("films.edited")
+groups = module("materials.group")
+my_looks = module("looks.my_looks")
+look_file = module("looks.look_file")
+names = module("looks.file_names")
+looks = module("looks.operators")
 FILE = module("core.catalogues").FILE
 folder = Path(sys.argv[1])
 libraries = bpy.context.preferences.filepaths.asset_libraries
@@ -249,10 +249,10 @@ assert bpy.ops.nacre.assign_look(look="Slick") == {"FINISHED"}
 
 # A view that is shown is no part of a look.
 bpy.context.scene.nacre.view = "normal" if hasattr(bpy.context.scene, "nacre") else "shaded"
-shown = module("nodes.views").shown()
+shown = module("viewer.views").shown()
 assert shown == "normal"
 assert bpy.ops.nacre.save_look(name="Viewed") == {"FINISHED"}
-assert module("nodes.views").shown() == shown
+assert module("viewer.views").shown() == shown
 with bpy.data.libraries.load(str(own / "Viewed.blend")) as (held, _):
     assert len(held.node_groups) == 4, held.node_groups
 bpy.context.scene.nacre.view = "shaded"

@@ -14,7 +14,7 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
+materials = module("materials.material")
 folder, form = Path(sys.argv[1]), sys.argv[2]
 
 cube = new_file()
@@ -51,8 +51,8 @@ render(flat)
 red, green, blue = pixels(flat)[:3]
 assert abs(red - green) < 0.02, (red, green, blue)
 assert abs(red - 1.0) < 0.02, red  # half reflected and half let through, all of it white
-state = module("nodes.scene").state(bpy.context.scene, gone)
-problems = module("core.problems").find_problems(materials.describe(material), state)
+state = module("materials.scene").state(bpy.context.scene, gone)
+problems = module("materials.problems").find_problems(materials.describe(material), state)
 assert any("Shown flat" in problem.text for problem in problems)
 
 # Opened once more it stays so; mended it is as it was.

@@ -21,7 +21,7 @@ entry.parent.mkdir(parents=True)
 
 extension = load()
 extension.register()
-stack, swatch = module("nodes.stack"), module("ui.swatch")
+stack, swatch = module("films.edited"), module("films.swatch")
 
 
 def write(name: str, n: float) -> None:

@@ -15,23 +15,23 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-groups = module("nodes.group")
-stack = module("nodes.stack")
-live = module("nodes.live")
-swatch = module("ui.swatch")
+materials = module("materials.material")
+groups = module("materials.group")
+stack = module("films.edited")
+live = module("films.live")
+swatch = module("films.swatch")
 library = module("core.library")
 folder = Path(sys.argv[1])
 
 PANELS = [
     cls
     for name in (
-        "ui.browser",
-        "ui.panels",
-        "ui.stack_panel",
-        "ui.viewer_panel",
-        "ui.looks_panel",
-        "ui.variations_panel",
+        "browser.panel",
+        "materials.panel",
+        "films.panel",
+        "viewer.panel",
+        "looks.panel",
+        "variations.panel",
     )
     for cls in module(name).CLASSES
     if issubclass(cls, bpy.types.Panel)
@@ -160,9 +160,9 @@ assert calls.count("preview_tables") == calls.count("template_spectrum") == 1, c
 calls.clear()
 drawn()
 assert calls == [], calls
-preferences = module("ui.preferences").NACRE_preferences
+preferences = module("materials.preferences").NACRE_preferences
 preferences.draw(SimpleNamespace(layout=Layout([]), keep_assets=True), bpy.context)
-module("operators.assign").material_items(None, bpy.context)
+module("browser.assign").material_items(None, bpy.context)
 assert calls == [], calls
 for (owner, name), real in originals.items():
     setattr(owner, name, real)
@@ -190,8 +190,8 @@ for name in (
         material = assigned()
         tree_of(material)[name] = value
         assert drawn(), (name, value)
-        module("nodes.schema").migrate()
-        module("nodes.fallback").put_in_place()
+        module("materials.schema").migrate()
+        module("materials.fallback").put_in_place()
         if name == groups.MATERIAL:  # which one it was is not known any more
             refused(bpy.ops.nacre.rebuild_material, "unknown material")
         elif (name, value) == (groups.SCHEMA, 7):

@@ -50,8 +50,8 @@ extension.register()
 extension.unregister()
 assert before == {path for path in user.rglob("*") if path.is_file() or "nacre" in path.name}
 extension.register()
-assets = module("nodes.assets")
-stack = module("nodes.stack")
+assets = module("assets.build")
+stack = module("films.edited")
 LONGEST = os.pathconf(folder, "PC_NAME_MAX")
 
 cube = new_file()
@@ -110,7 +110,7 @@ blend = there / "Film 1.5 50% ünï.blend"
 bpy.ops.wm.save_as_mainfile(filepath=str(blend))
 name = cube.active_material.name
 bpy.ops.wm.open_mainfile(filepath=str(blend))
-assert module("nodes.material").missing_tables(bpy.data.materials[name]) == ()
+assert module("materials.material").missing_tables(bpy.data.materials[name]) == ()
 refused(
     lambda: bpy.ops.wm.save_as_mainfile(filepath=str(there / ("n" * LONGEST + ".blend"))), "Cannot"
 )

@@ -15,10 +15,10 @@ from steps import new_file
 
 from jobs.extension import module
 
-OBJECTS = module("scenes.objects").OBJECTS
-portrait = module("scenes.portrait")
-corners = module("scenes.objects.portrayed").corners
-lighting = module("nodes.lighting")
+OBJECTS = module("background.scenes.objects").OBJECTS
+portrait = module("background.scenes.portrait")
+corners = module("background.scenes.objects.portrayed").corners
+lighting = module("lighting.world")
 
 
 def size(objects) -> float:

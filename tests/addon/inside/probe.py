@@ -17,10 +17,10 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-thickness = module("nodes.thickness")
-stack = module("nodes.stack")
-views = module("nodes.views")
+materials = module("materials.material")
+thickness = module("thickness.nodes")
+stack = module("films.edited")
+views = module("viewer.views")
 folder, form = Path(sys.argv[1]), sys.argv[2]
 
 import nacre  # noqa: E402  which the driver has brought

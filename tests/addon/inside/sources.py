@@ -13,8 +13,8 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-thickness = module("nodes.thickness")
-SOURCES = module("core.thickness").SOURCES
+thickness = module("thickness.nodes")
+SOURCES = module("thickness.sources").SOURCES
 cube = camera_over_cube()
 bpy.ops.nacre.assign_material(material="test_film", form="nodes")
 material = cube.active_material
@@ -52,7 +52,7 @@ bpy.ops.nacre.add_thickness(source="temperature")
 bpy.ops.nacre.add_thickness(source="heat_point")
 torch, end = thickness.sources_of(material)
 # The panel's material stays in view while the empty is moved.
-subject = module("nodes.subject")
+subject = module("materials.subject")
 bpy.context.view_layer.objects.active = thickness.followed(torch)
 assert subject.subject(bpy.context) == cube
 assert subject.active_material(bpy.context) == material
@@ -83,7 +83,7 @@ assert "Torch" in bpy.data.objects
 bpy.data.objects.remove(own_point)
 bpy.context.view_layer.objects.active = cube
 bpy.ops.nacre.add_thickness(source="heat_curve")
-curve = module("nodes.heat").curve_of(cube)
+curve = module("thickness.heat").curve_of(cube)
 bpy.context.view_layer.objects.active = curve
 assert subject.subject(bpy.context) == cube
 bpy.context.view_layer.objects.active = cube
@@ -93,7 +93,7 @@ assert not [obj for obj in bpy.data.objects if obj.type in ("EMPTY", "CURVE")]
 assert not bpy.data.curves
 
 # On the balls of variations sources lie as their nodes do.
-fields = module("core.ball_fields")
+fields = module("variations.ball_fields")
 specs = {item.id: item for item in SOURCES}
 for name in ("gradient", "temperature", "drainage", "height"):
     node = alone(name)

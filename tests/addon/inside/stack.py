@@ -15,10 +15,10 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-groups = module("nodes.group")
-stack = module("nodes.stack")
-live = module("nodes.live")
+materials = module("materials.material")
+groups = module("materials.group")
+stack = module("films.edited")
+live = module("films.live")
 form = sys.argv[2]
 folder = Path(sys.argv[1])
 
@@ -54,7 +54,7 @@ assert not stack.is_stale(material)
 assert live.problem(material) == ""
 
 # Values and links are the artist's.
-socket = module("nodes.thickness").thickness_socket(material)
+socket = module("thickness.nodes").thickness_socket(material)
 socket.default_value = 111.0
 value = material.node_tree.nodes.new("ShaderNodeValue")
 roughness = materials.input_socket(material, "roughness")
@@ -78,7 +78,7 @@ assert node.node_tree[groups.FORM] == form
 final = texels(material)
 assert final.shape[2] == 3
 assert np.abs(final[0, -1] - quick[0, -1]).max() < 0.02, (final[0, -1], quick[0, -1])
-assert module("nodes.thickness").thickness_socket(material).default_value == 111.0
+assert module("thickness.nodes").thickness_socket(material).default_value == 111.0
 assert materials.input_socket(material, "roughness").is_linked
 assert not materials.missing_tables(material)
 used = {n.node_tree for m in bpy.data.materials for n in m.node_tree.nodes if n.type == "GROUP"}
@@ -111,13 +111,13 @@ assert np.abs(texels(material) - before).max() > 0.01
 assert bpy.ops.nacre.vary_layer(index=0) == {"FINISHED"}
 assert shown.varying == 0
 stack.finish(material)
-assert module("nodes.thickness").thickness_range(
-    module("nodes.thickness").thickness_socket(material)
+assert module("thickness.nodes").thickness_range(
+    module("thickness.nodes").thickness_socket(material)
 ) == (0.0, 160.0)
 assert bpy.ops.nacre.remove_layer() == {"FINISHED"}
 assert (len(shown.layers), shown.varying) == (1, -1)
 stack.finish(material)
-assert module("nodes.thickness").thickness_socket(material) is None
+assert module("thickness.nodes").thickness_socket(material) is None
 for _ in range(63):
     bpy.ops.nacre.add_layer()
 refused(bpy.ops.nacre.add_layer, "at most 64 layers")
@@ -135,7 +135,7 @@ shown.substrate = "Ag/Johnson"
 assert live.problem(material) == ""
 
 # The search offers media by key and by name; what is chosen becomes the key.
-search = module("properties")._media_search("substrate")
+search = module("films.properties")._media_search("substrate")
 assert "Cu/Johnson · Copper" in search(shown, None, "copper")
 assert "Cu/Johnson · Copper" in search(shown, None, "cu john")
 assert search(shown, None, "copper unobtainium") == []
@@ -165,7 +165,7 @@ shown.technique = "path_difference"
 assert live.problem(material) == "", live.problem(material)
 assert np.abs(texels(material) - before).mean() > 0.02
 assert 'technique = "path_difference"' in material["nacre_template"]
-properties = module("properties")
+properties = module("films.properties")
 numbers = [item[3] for item in properties.TECHNIQUES]
 assert numbers == list(range(8))  # stored in files
 assert properties.TECHNIQUES[1][0] == "path_difference"
@@ -249,7 +249,7 @@ assert np.allclose(texels(material), library_texels, rtol=2**-15, atol=0.0)
 
 # The panel's pictures.
 bpy.ops.nacre.edit_stack()
-swatch = module("ui.swatch")
+swatch = module("films.swatch")
 wanted = stack.recipe(material)
 assert swatch._draw_swatch("", wanted, 96).shape == (256, 256, 4)
 assert swatch._draw_spectrum("", wanted, 100.0, 30.0).shape == (256, 256, 4)

@@ -17,10 +17,10 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-stack = module("nodes.stack")
-live = module("nodes.live")
-thickness = module("nodes.thickness")
+materials = module("materials.material")
+stack = module("films.edited")
+live = module("films.live")
+thickness = module("thickness.nodes")
 folder = Path(sys.argv[1])
 SEED, STEPS, COUNT = 20261125, 60, 1000
 
@@ -100,7 +100,7 @@ assert calls.count("read") <= 4, calls
 stack.read_stack, stack.compile_recipe = real_read, real_compile
 
 # Icons of materials seen before make room; the one in use stays.
-swatch = module("ui.swatch")
+swatch = module("films.swatch")
 drawn = []
 
 

@@ -11,7 +11,7 @@ import bpy
 from jobs.extension import load, module
 
 extension = load()
-images = module("nodes.image")
+images = module("materials.image")
 
 
 def tables() -> list[bpy.types.Image]:

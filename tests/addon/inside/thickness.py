@@ -16,9 +16,9 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-thickness = module("nodes.thickness")
-SOURCES = module("core.thickness").SOURCES
+materials = module("materials.material")
+thickness = module("thickness.nodes")
+SOURCES = module("thickness.sources").SOURCES
 folder = Path(sys.argv[1])
 
 
@@ -168,7 +168,7 @@ assert len(material.node_tree.nodes) == nodes
 
 # Dropped onto a panel, a picture makes its source, or takes the place of the one that is there.
 bpy.ops.nacre.remove_thickness()
-for drop in module("ui.drops").CLASSES:
+for drop in module("blender.drops").CLASSES:
     kind = getattr(bpy.ops.nacre, drop.bl_import_operator.partition(".")[2]).get_rna_type()
     assert kind.properties["filepath"].is_skip_save
     assert not drop.poll_drop(bpy.context)  # there is no panel
@@ -276,7 +276,7 @@ point = thickness.feed_of(thickness.sources_of(material)[0], "TEX_COORD", "Vecto
 assert point.name.startswith("Film Point")
 bpy.ops.nacre.remove_thickness()
 bpy.ops.nacre.add_thickness(source="heat_curve")
-heat = module("nodes.heat")
+heat = module("thickness.heat")
 holder, path = heat.curve_property(heat.modifier_of(cube))
 curve = holder.path_resolve(path)
 assert curve.name.startswith("Heat Curve")
@@ -313,7 +313,7 @@ for typed, held in ((-5.0, 0.0), (1e5, 1200.0), (math.nan, None), (640.0, 640.0)
     now = socket.default_value
     assert now == held if held is not None else 0.0 <= now <= 1200.0, (typed, now)
     # And it is said, until the value is one of those between.
-    said = module("nodes.limits").held(material)
+    said = module("materials.limits").held(material)
     assert bool(said) == (typed != 640.0), said
 bpy.ops.nacre.add_thickness(source="drop")
 drop = thickness.sources_of(material)[0]

@@ -11,8 +11,8 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-group = module("nodes.group")
-image = module("nodes.image")
+group = module("materials.group")
+image = module("materials.image")
 kinds = ("images", "materials", "node_groups", "texts")
 
 
@@ -45,5 +45,5 @@ def failing(holder, name: str) -> None:
 failing(image, "hold_as_data")
 failing(group, "_set_default")
 failing(group, "_arrange")
-failing(module("operators.assign"), "put")
+failing(module("browser.assign"), "put")
 extension.unregister()

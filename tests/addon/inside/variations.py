@@ -15,13 +15,13 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-variations = module("nodes.variations")
-drawing = module("core.variations")
-ball = module("nodes.ball")
-materials = module("nodes.material")
-thickness = module("nodes.thickness")
-limits = module("nodes.limits")
-panel = module("ui.variations_panel")
+variations = module("variations.drawn")
+drawing = module("variations.drawing")
+ball = module("variations.pictures")
+materials = module("materials.material")
+thickness = module("thickness.nodes")
+limits = module("materials.limits")
+panel = module("variations.panel")
 entries = module("core.library").Library.default().entries()
 form = sys.argv[1]
 

@@ -15,12 +15,12 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-groups = module("nodes.group")
-schema = module("nodes.schema")
-stack = module("nodes.stack")
-live = module("nodes.live")
-problems = module("core.problems")
+materials = module("materials.material")
+groups = module("materials.group")
+schema = module("materials.schema")
+stack = module("films.edited")
+live = module("films.live")
+problems = module("materials.problems")
 folder = Path(sys.argv[1])
 BLEND = folder / "Älter 薄膜.blend"
 
@@ -78,7 +78,7 @@ tree[groups.SCHEMA] = groups.SCHEMA_VERSION + 1
 material = reopened()
 tree = tree_of(material)
 contents = dict(tree.items())
-state = module("nodes.scene").state(bpy.context.scene, ())
+state = module("materials.scene").state(bpy.context.scene, ())
 first = problems.find_problems(materials.describe(material), state)[0]
 assert "newer Nacre" in first.text
 assert first.operator is None

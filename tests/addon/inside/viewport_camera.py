@@ -17,11 +17,11 @@ from steps import new_file
 from jobs.extension import load, module
 
 load()
-aside = module("nodes.camera")
-view = module("core.view")
-viewport = module("nodes.viewport")
-picture = module("operators.picture")
-output = module("output")
+aside = module("viewer.camera")
+view = module("viewer.view")
+viewport = module("viewer.viewport")
+picture = module("viewer.picture")
+output = module("blender.output")
 folder = Path(sys.argv[1])
 
 POINTS = [Vector(p) for p in itertools.product((-1.5, 0.2, 2.0), (-1.0, 0.7), (-0.5, 1.1))]

@@ -16,10 +16,10 @@ from jobs.extension import load, module
 
 extension = load()
 extension.register()
-materials = module("nodes.material")
-thickness = module("nodes.thickness")
-views = module("nodes.views")
-FIELDS = module("core.fields").FIELDS
+materials = module("materials.material")
+thickness = module("thickness.nodes")
+views = module("viewer.views")
+FIELDS = module("viewer.fields").FIELDS
 exr = module("core.exr")
 folder = Path(sys.argv[1])
 

@@ -25,10 +25,10 @@ def engine(scene: bpy.types.Scene) -> str:
 def atlas(**job) -> None:
     """`cells` (material, values), `columns`, the `size` of a cell, samples, file; `unlit_behind`: what
     passes the films sees black, though they reflect white."""
-    materials = extension.module("nodes.material")
+    materials = extension.module("materials.material")
     library = extension.module("core.library").Library.default()
-    add_sphere = extension.module("scenes.shape").sphere
-    scene = extension.module("scenes").build_stage("furnace").scene
+    add_sphere = extension.module("background.scenes.shape").sphere
+    scene = extension.module("background.scenes").build_stage("furnace").scene
     columns = job["columns"]
     rows = math.ceil(len(job["cells"]) / columns)
     scene.camera.data.ortho_scale = 2.0 * max(columns, rows)
@@ -55,9 +55,9 @@ def atlas(**job) -> None:
 def portrait(**job) -> None:
     """The `material` as its picture has it, without a floor, and with alpha for what it covers: `size`,
     samples, file; on another `object`; `plain`: as EEVEE shows it without an output of its own."""
-    materials = extension.module("nodes.material")
+    materials = extension.module("materials.material")
     compiled = extension.module("core.library").Library.default().load(job["material"])
-    stage = extension.module("scenes").build_stage(
+    stage = extension.module("background.scenes").build_stage(
         "portrait", job.get("object", compiled.look.object)
     )
     # How images are filtered by their slope depends on the driver.

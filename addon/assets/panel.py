@@ -1,0 +1,29 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far the asset library is, and where it can be seen."""
+
+from __future__ import annotations
+
+from ..blender import asset_libraries, wrapped
+from . import build as assets
+from . import process as asset_build
+
+
+def draw_asset_build(layout) -> None:
+    """Nothing where nothing is made."""
+    progress = asset_build.progress()
+    if progress is not None:
+        done, count = progress
+        text = f"Asset library: {done} of {count}" if count else "Asset library: starting"
+        layout.progress(factor=done / max(count, 1), text=text)
+        return
+    result = asset_build.result()
+    if not result:
+        return
+    box = layout.box()
+    made = asset_libraries.is_listed(assets.default_folder())
+    wrapped.label(box, result, "CHECKMARK" if made else "ERROR")
+    row = box.row(align=True)
+    if made:
+        row.operator("nacre.open_assets", text="Open Asset Browser", icon="ASSET_MANAGER")
+    row.operator("nacre.dismiss", text="" if made else "Close", icon="X")
