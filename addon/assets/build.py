@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import contextlib
-import os
 import shutil
 import time
 from collections.abc import Callable, Iterator
@@ -14,7 +13,7 @@ from pathlib import Path
 import bpy
 
 from ..blender import asset_libraries
-from ..core.catalogues import FILE, catalogue_id, catalogue_text, thumbnail
+from ..core.catalogues import FILE, catalogue_text, thumbnail
 from ..core.form import AUTO, NODES, FormError, choose_form
 from ..core.library import Library
 from ..core.looks import Variant, variants
@@ -25,11 +24,11 @@ from ..materials import group as groups
 from ..materials import scene as scene_setup
 from ..materials.material import create_material
 from ..thickness import dress as looks
+from .asset import give_picture, mark, only_for_now, write
 
 NAME = "Nacre"
 BLEND = "nacre_materials.blend"
 _STAMP = "made_of.txt"
-_KINDS = ("materials", "node_groups", "images", "texts")
 
 
 def default_folder() -> Path:
@@ -47,7 +46,7 @@ def build(folder: Path, tell: Callable[[int, int], None] | None = None) -> tuple
     left_out: list[str] = []
     categories: set[str] = set()
     library = Library.default()
-    with _only_for_now():
+    with _undisturbed(), only_for_now():
         offered = variants(library.entries())
         for number, variant in enumerate(offered.values(), 1):
             try:
@@ -61,9 +60,7 @@ def build(folder: Path, tell: Callable[[int, int], None] | None = None) -> tuple
                 tell(number, len(offered))
         folder.mkdir(parents=True, exist_ok=True)
         _forget_what_was_killed(folder)
-        aside = folder / f"{BLEND}.{os.getpid()}.partial.blend"  # two Blenders may start at once
-        bpy.data.libraries.write(str(aside), set(made), fake_user=True, compress=True)
-        aside.replace(folder / BLEND)
+        write(folder / BLEND, set(made))
     write_whole(folder / FILE, catalogue_text(categories))
     write_whole(folder / _STAMP, _stamp())
     return len(made), left_out
@@ -73,13 +70,22 @@ def show(folder: Path) -> None:
     asset_libraries.add(folder, NAME)
 
 
+def register() -> None:
+    if is_built(default_folder()):
+        show(default_folder())
+
+
+def unregister() -> None:
+    asset_libraries.remove(default_folder())
+
+
 def is_built(folder: Path) -> bool:
     return (folder / BLEND).is_file()
 
 
 def _forget_what_was_killed(folder: Path) -> None:
     an_hour_ago = time.time() - 3600.0
-    for path in folder.glob(f"{BLEND}.*.partial.blend"):
+    for path in folder.glob("*.partial.blend"):
         if path.stat().st_mtime < an_hour_ago:
             path.unlink(missing_ok=True)
 
@@ -114,44 +120,34 @@ def _asset(compiled: CompiledMaterial, variant: Variant) -> bpy.types.Material:
     material.name = variant.name
     if not variant.is_even:
         looks.dress(material, compiled)
-    material.asset_mark()
-    data = material.asset_data
-    data.catalog_id = catalogue_id(compiled.category)
-    data.description = compiled.description
+    data = mark(
+        material,
+        category=compiled.category,
+        description=compiled.description,
+        tags=(*compiled.tags, compiled.kind, compiled.status, *synonyms(variant.entry)),
+    )
     data.author = NAME
     data.license = "BSD-3-Clause"
-    for tag in (*compiled.tags, compiled.kind, compiled.status, *synonyms(variant.entry)):
-        data.tags.new(tag, skip_if_exists=True)
-    picture = thumbnail(variant.key)
-    if picture.is_file():
-        with bpy.context.temp_override(id=material):
-            bpy.ops.ed.lib_id_load_custom_preview(filepath=str(picture))
+    give_picture(material, thumbnail(variant.key))
     return material
 
 
 @contextlib.contextmanager
-def _only_for_now() -> Iterator[None]:
-    """Takes what is made out of the file again. Groups of materials in use are not shared meanwhile, and
-    their names are free for the assets."""
-    before = {kind: set(getattr(bpy.data, kind)) for kind in _KINDS}
+def _undisturbed() -> Iterator[None]:
+    """Groups of materials in use are not shared meanwhile, and their names are free for the assets."""
     hidden = {
         block: block[groups.DIGEST]
-        for kind in ("node_groups", "images")
-        for block in before[kind]
+        for block in (*bpy.data.node_groups, *bpy.data.images)
         if groups.DIGEST in block
     }
     for block in hidden:
         block[groups.DIGEST] = ""
-    names = {material: material.name for material in before["materials"] if material.is_editable}
+    names = {material: material.name for material in bpy.data.materials if material.is_editable}
     for number, material in enumerate(names):
         material.name = f"Nacre, aside {number}"
     try:
         yield
     finally:
-        for kind in _KINDS:
-            blocks = getattr(bpy.data, kind)
-            for block in set(blocks) - before[kind]:
-                blocks.remove(block)
         for block, digest in hidden.items():
             block[groups.DIGEST] = digest
         for material, name in names.items():

@@ -10,7 +10,7 @@ import bpy
 
 from ..blender import asset_libraries
 from ..materials.guard import reports_errors
-from ..materials.settings import preferences
+from ..materials.preferences import preferences
 from . import build as assets
 from . import process as asset_build
 

@@ -27,3 +27,14 @@ def draw_asset_build(layout) -> None:
     if made:
         row.operator("nacre.open_assets", text="Open Asset Browser", icon="ASSET_MANAGER")
     row.operator("nacre.dismiss", text="" if made else "Close", icon="X")
+
+
+def draw_preferences(layout, kept) -> None:
+    layout.prop(kept, "keep_assets")
+    draw_asset_build(layout)
+    row = layout.row()
+    if assets.is_built(assets.default_folder()):
+        row.operator("nacre.add_asset_library", text="Rebuild Asset Library", icon="FILE_REFRESH")
+        row.operator("nacre.remove_asset_library", text="Remove from Asset Browser", icon="X")
+    else:
+        row.operator("nacre.add_asset_library", text="Add to Asset Browser", icon="ASSET_MANAGER")

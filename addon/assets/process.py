@@ -13,10 +13,12 @@ from pathlib import Path
 
 import bpy
 
-from ..background.asset_job import PROGRESS
 from ..blender.windows import redraw_panels
-from ..materials.settings import preferences
+from ..materials.preferences import preferences
 from . import build as assets
+
+PROGRESS = "NACRE"
+"""Lines of the other's standard output: this word, how many materials are done, of how many."""
 
 _WAIT, _POLL = 2.0, 0.25  # seconds: after the start, and between looks
 

@@ -10,16 +10,16 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-PROGRESS = "NACRE"
-"""Lines of standard output: this word, how many materials are done, of how many."""
+from ..assets import build as assets
+from ..assets.process import PROGRESS
+from ..gems import cut_stone
 
 
 def main(argv: Sequence[str]) -> int:
     """Returns the exit status; what was left out, or is wrong, goes to standard error."""
-    from ..assets import build as assets
-
     with contextlib.suppress(AttributeError, OSError):  # the window comes first
         os.nice(10)
+    cut_stone.register()
     try:
         _, left_out = assets.build(Path(argv[0]), _tell)
     except Exception as error:

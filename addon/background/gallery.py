@@ -13,13 +13,13 @@ from pathlib import Path
 from ..core import manual
 from ..core.library import Library
 from ..core.looks import EVEN, even_name, picture_name, variants
-from ..core.manifest import DIRECTIONS, CompiledMaterial, Socket
+from ..core.manifest import DIRECTIONS, THICKNESSES, CompiledMaterial, Socket
+from ..core.space import srgb
 from ..core.whole_file import write_whole
 from ..core.words import synonyms
 from ..films.stack import Layer, Stack, StackError, read_stack
 from ..materials.image import save_png
 from ..thickness.sources import (
-    SOCKETS,
     Input,
     ThicknessError,
     Value,
@@ -28,7 +28,6 @@ from ..thickness.sources import (
     socket_values,
     source,
 )
-from ..viewer.probe import srgb
 from .batch import Row, make_row
 from .gallery_page import Card, Line, Origin, Picture, Setting, page
 
@@ -125,8 +124,8 @@ def _card(
     recipes: Sequence[tuple[str, str]],
 ) -> Card:
     row, even = there[material.id], there.get(material.id + EVEN)
-    film = _film_stack(material)
-    picture, dots = _colours(folder, material, film) if film else (None, ())
+    stack = _stack(material)
+    picture, dots = _colours(folder, material, stack) if stack else (None, ())
     origins = _origins(material, row)
     entry = Library.default().entries()[material.id]
     return Card(
@@ -140,15 +139,15 @@ def _card(
         dots=dots,
         settings=[_setting(socket, bool(origins)) for socket in material.sockets],
         origins=origins,
-        stack=list(_lines(film)) if film else (),
+        stack=list(_lines(stack)) if stack else (),
         recipes=recipes,
         facts=_facts(material),
         words=(*material.tags, *synonyms(entry)),
     )
 
 
-def _film_stack(material: CompiledMaterial) -> Stack | None:
-    if material.kind != "film" or not material.template:
+def _stack(material: CompiledMaterial) -> Stack | None:
+    if not material.traits.editable_stack or not material.template:
         return None
     try:
         return read_stack(material.template)
@@ -186,7 +185,7 @@ def _setting(socket: Socket, is_varied: bool) -> Setting:
         return Setting(socket.label, value, help=socket.description, colour=_css(socket.default))
     unit = "" if socket.unit == "1" else f" {socket.unit}"
     span = f"{socket.minimum:g}–{socket.maximum:g}{unit}"
-    note = "where even" if is_varied and socket.name in SOCKETS else ""
+    note = "where even" if is_varied and socket.name in THICKNESSES else ""
     return Setting(socket.label, f"{socket.default:g}{unit}", span, socket.description, note)
 
 
@@ -195,7 +194,7 @@ def _css(linear: Sequence[float]) -> str:
 
 
 def _origin(varied: Varied, material: CompiledMaterial) -> Origin:
-    socket = next((s for name in SOCKETS if (s := material.socket(name))), None)
+    socket = material.thickness
     values: dict[str, Value] = {}
     if socket:
         values = socket_values(varied, socket.name, (socket.minimum, socket.maximum))
@@ -224,7 +223,7 @@ def _facts(material: CompiledMaterial) -> list[tuple[str, str]]:
     return [(name, value) for name, value in facts if value]
 
 
-# ---- Films -------------------------------------------------------------------------------------
+# ---- Stacks -------------------------------------------------------------------------------------
 
 
 def _lines(stack: Stack) -> Iterator[Line]:
@@ -285,7 +284,7 @@ def _colours(
     table = nacre.preview_tables(material.template, {"R": (height, width)}, **light)["R"]
     name = f"{material.id}_swatch.png"
     save_png(folder / name, swatch(table))
-    socket = material.socket("thickness_nm") or material.socket("thickness_scale")
+    socket = material.thickness
     value = socket.default if socket else 1.0
     dots = []
     for angle in _ANGLES_DEG:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
+from ..core.faults import ForeseenError
 from ..core.form import AUTO, NODES, OSL
 from ..films.stack import MULTILAYER, TECHNIQUES
 from ..thickness.sources import SOURCES, ThicknessError, Varied, read_varied
@@ -38,7 +39,7 @@ examples:
 """
 
 
-class UsageError(Exception):
+class UsageError(ForeseenError):
     """Options that do not fit together, or values out of range."""
 
 

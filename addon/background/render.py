@@ -19,37 +19,25 @@ from pathlib import Path
 import bpy
 
 from ..blender import output
-from ..core.exr import ExrError
-from ..core.form import OSL, FormError, choose_form
+from ..core.computation import library_problem
+from ..core.faults import ForeseenError
+from ..core.form import OSL, choose_form
 from ..core.library import Library
-from ..core.manifest import CompiledMaterial, ManifestError, from_memory, load_folder
-from ..core.oso import OsoError
-from ..core.values import AssignmentError, parse_assignments
-from ..films.edited import library_problem
+from ..core.manifest import CompiledMaterial, from_memory, load_folder
+from ..core.values import parse_assignments
 from ..films.stack import StackError, edit, is_path, read_stack, write_template
+from ..gems import cut_stone
 from ..materials import follow
 from ..materials import scene as scene_setup
 from ..materials.image import mend_spaces
 from ..materials.material import create_material, input_socket, set_values
 from ..viewer import passes
 from ..viewer.pixel import in_picture
-from ..viewer.probe import Probe, ProbeError
+from ..viewer.probe import Probe
 from . import batch, console, gallery, user_scene
 from . import thickness as render_thickness
 from .options import DEFAULT_VIEW, UsageError, parse
-from .scenes import StageError, build_stage
-
-_ERRORS = (
-    ManifestError,
-    FormError,
-    AssignmentError,
-    StageError,
-    OsoError,
-    StackError,
-    ExrError,
-    ProbeError,
-    output.OutputError,
-)
+from .scenes import build_stage
 
 
 @dataclass
@@ -64,6 +52,7 @@ class Job:
 def main(argv: Sequence[str]) -> int:
     """Runs `render …`. Returns the exit status: 0 ok, 1 wrong usage or input."""
     console.mute_removed_engine_noise()
+    cut_stone.register()
     try:
         options = parse(argv)
         if options.batch or options.gallery:
@@ -127,7 +116,7 @@ def _render_row(options: argparse.Namespace, path: Path) -> str:
 
 def _problem(error: Exception, verbose: bool) -> str:
     """What to say of an error. One that nobody thought of, mostly Blender's own, is one line too."""
-    if isinstance(error, (UsageError, *_ERRORS)):
+    if isinstance(error, ForeseenError):
         return str(error)
     if verbose:
         traceback.print_exc()
@@ -242,7 +231,7 @@ def _stage_job(options: argparse.Namespace) -> Job:
     values = parse_assignments(
         compiled, [text for text in options.set if not is_path(text.partition("=")[0])]
     )
-    stage_name = options.stage or ("portrait" if options.look else "shaderball")
+    stage_name = options.stage or ("portrait" if options.look else compiled.traits.stage)
     stage = build_stage(stage_name, compiled.look.object)
     job = Job(stage.scene)
     material = _add_material(job, compiled, options.form)

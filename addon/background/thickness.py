@@ -9,9 +9,11 @@ import argparse
 import bpy
 
 from ..core.manifest import CompiledMaterial
-from ..thickness import dress as looks
-from ..thickness import nodes as thickness
-from ..thickness.sources import SOCKETS, ThicknessError, socket_values
+from ..materials.thickness import thickness_range, thickness_socket
+from ..thickness import nodes
+from ..thickness.dress import dress as put_look_upon
+from ..thickness.dress import put_upon
+from ..thickness.sources import ThicknessError
 from .options import UsageError
 
 
@@ -19,43 +21,37 @@ def dress(
     material: bpy.types.Material, compiled: CompiledMaterial, options: argparse.Namespace
 ) -> None:
     """As the library pictures it; frames run what has a time."""
-    looks.dress(material, compiled)
+    put_look_upon(material, compiled)
     if not options.frames:
         return
-    timed = thickness.timed_sources(material)
+    timed = nodes.timed_sources(material)
     if not timed and not options.animate:
         raise UsageError(f"--frames: nothing in the look of {compiled.id} moves")
     for node in timed:
-        thickness.animate(node)
+        nodes.animate(node)
 
 
 def vary(
     material: bpy.types.Material, compiled: CompiledMaterial, options: argparse.Namespace
 ) -> None:
-    socket = thickness.thickness_socket(material)
-    if socket is None:
+    if thickness_socket(material) is None:
         raise UsageError(f"{compiled.id} has no thickness that could vary")
     if options.thickness_map:
         _map_thickness(material, options)
-    fed = next(filter(None, map(compiled.socket, SOCKETS)))
-    for varied in options.vary:
-        try:
-            values = socket_values(varied, fed.name, thickness.thickness_range(socket))
-        except ThicknessError as error:
-            raise UsageError(
-                "\n".join(f"--vary: {line}" for line in str(error).splitlines())
-            ) from error
-        node = thickness.add_source(material, varied.source.id)
-        for name, value in values.items():
-            node.inputs[name].default_value = value
+    try:
+        put = put_upon(material, compiled, options.vary)
+    except ThicknessError as error:
+        lines = str(error).splitlines()
+        raise UsageError("\n".join(f"--vary: {line}" for line in lines)) from error
+    for varied, (node, given) in zip(options.vary, put, strict=True):
         if varied.source.id == "swirl" and options.frames:
-            if "Time" in values:
+            if "Time" in given:
                 raise UsageError("--vary: swirl: time_s does not go with --frames, which run it")
-            thickness.animate(node)
+            nodes.animate(node)
 
 
 def _map_thickness(material: bpy.types.Material, options: argparse.Namespace) -> None:
-    low, high = thickness.thickness_range(thickness.thickness_socket(material))
+    low, high = thickness_range(thickness_socket(material))
     wanted = options.range or (low, high)
     if not (low <= wanted[0] and wanted[1] <= high):
         raise UsageError(
@@ -68,6 +64,6 @@ def _map_thickness(material: bpy.types.Material, options: argparse.Namespace) ->
         raise UsageError(f"--thickness-map: {options.thickness_map}: {error}") from error
     if tuple(image.size) == (0, 0):
         raise UsageError(f"--thickness-map: {options.thickness_map}: is not a picture")
-    node = thickness.add_source(material, "map")
+    node = nodes.add_source(material, "map")
     node.inputs["Minimum"].default_value, node.inputs["Maximum"].default_value = wanted
-    thickness.link_image(material, node, image)
+    nodes.link_image(material, node, image)

@@ -12,13 +12,14 @@ from pathlib import Path
 
 import bpy
 
+from ..core.faults import ForeseenError
 from ..core.whole_file import aside, is_whole
 
 SUFFIXES = {".exr": "OPEN_EXR", ".png": "PNG"}
 _LAYERS = "OPEN_EXR_MULTILAYER"
 
 
-class OutputError(Exception):
+class OutputError(ForeseenError):
     """An output cannot be written; one line for each fault."""
 
 

@@ -10,10 +10,11 @@ from bpy.props import BoolProperty, EnumProperty
 from ..core.form import AUTO, choose_form
 from ..core.library import Library
 from ..core.looks import variants
-from ..films.properties import FORMS
 from ..materials import scene as scene_setup
 from ..materials.guard import must_be_local, reports_errors
 from ..materials.material import create_material, discard_material
+from ..materials.properties import FORMS
+from ..materials.takers import chosen_objects, named, put, takers, takes_materials
 from ..thickness import dress as looks
 from ..thickness import nodes as thickness
 from . import chosen, thumbnails
@@ -64,7 +65,7 @@ class NACRE_OT_assign_material(bpy.types.Operator):
     def poll(cls, context):
         if takers(context):
             return True
-        linked = next((obj for obj in _chosen(context) if not _takes_materials(obj)), None)
+        linked = next((obj for obj in chosen_objects(context) if not takes_materials(obj)), None)
         if linked is None:
             cls.poll_message_set("Select an object that can have a material")
         else:
@@ -131,39 +132,6 @@ class NACRE_OT_favourite(bpy.types.Operator):
         words = "is a favourite now" if is_one else "is no favourite any more"
         self.report({"INFO"}, f"{name} {words}.")
         return {"FINISHED"}
-
-
-def named(targets: list[bpy.types.Object]) -> str:
-    """The object, or how many there are."""
-    return targets[0].name if len(targets) == 1 else f"{len(targets)} objects"
-
-
-def _chosen(context) -> list[bpy.types.Object]:
-    """The active object and the selected ones of kinds that have materials, each once."""
-    chosen = [context.active_object, *(context.selected_objects or ())]
-    unique = dict.fromkeys(obj for obj in chosen if obj is not None)
-    return [obj for obj in unique if hasattr(obj.data, "materials")]
-
-
-def _takes_materials(obj: bpy.types.Object) -> bool:
-    """An object of linked data has as many slots as that, and may hold materials of its own."""
-    return obj.is_editable and (obj.data.is_editable or bool(obj.material_slots))
-
-
-def takers(context) -> list[bpy.types.Object]:
-    return [obj for obj in _chosen(context) if _takes_materials(obj)]
-
-
-def put(obj: bpy.types.Object, material: bpy.types.Material, new_slot: bool) -> None:
-    own = obj.data.is_editable
-    if own and (new_slot or not obj.material_slots):
-        obj.data.materials.append(material)
-        obj.active_material_index = len(obj.material_slots) - 1
-        return
-    slot = obj.material_slots[obj.active_material_index]
-    if not own:
-        slot.link = "OBJECT"
-    slot.material = material
 
 
 CLASSES = (NACRE_OT_assign_material, NACRE_OT_favourite)

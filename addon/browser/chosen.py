@@ -9,7 +9,7 @@ from collections.abc import Container
 
 import bpy
 
-from ..materials.settings import preferences
+from ..materials.preferences import preferences
 
 MOST_RECENT = 6
 

@@ -13,12 +13,14 @@ from ..core.library import Entry, Library
 from ..core.looks import variants
 from ..films.panel import draw_progress
 from ..lighting import world as lighting
+from ..lighting.panel import draw_light
 from ..materials.documented import Documented, OfWaveMaterial
 from ..materials.material import group_node
-from ..materials.panel import draw_light, draw_material
+from ..materials.panel import draw_material
 from ..materials.script import has_osl
 from ..materials.subject import active_material
 from . import chosen, thumbnails
+from .properties import finds_any
 
 _LOCKED = (
     "Needs Open Shading Language, which this Blender was built without; blender.org's own has it."
@@ -46,7 +48,7 @@ class NACRE_PT_viewport(Documented, bpy.types.Panel):
         offered = variants(Library.default().entries())
         draw_asset_build(layout)
         layout.prop(browser, "search", text="", icon="VIEWZOOM")
-        if not browser.finds_any():
+        if not finds_any(browser):
             layout.label(text=f"Nothing is found for “{browser.search}”", icon="INFO")
             return
         layout.template_icon_view(browser, "choice", show_labels=True, scale=8.0, scale_popup=6.0)
@@ -115,6 +117,7 @@ class NACRE_PT_viewport_material(OfWaveMaterial, bpy.types.Panel):
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
     bl_category = "Nacre"
+    bl_order = 2
 
     def draw(self, context):
         material = active_material(context)
@@ -123,23 +126,8 @@ class NACRE_PT_viewport_material(OfWaveMaterial, bpy.types.Panel):
         draw_material(self.layout, context)
 
 
-class NACRE_PT_viewport_light(Documented, bpy.types.Panel):
-    bl_label = "Light"
-    bl_space_type = "VIEW_3D"
-    bl_region_type = "UI"
-    bl_category = "Nacre"
-
-    @classmethod
-    def poll(cls, context):
-        return lighting.light_of(context.scene.world) is not None
-
-    def draw(self, context):
-        draw_light(self.layout, context.scene)
-
-
 CLASSES = (
     NACRE_PT_viewport,
     NACRE_PT_viewport_shelf,
-    NACRE_PT_viewport_light,
     NACRE_PT_viewport_material,
 )

@@ -9,10 +9,10 @@ from functools import lru_cache
 
 import bpy
 
-from ..materials.material import WHEN_MADE, interface_item
-from ..thickness.nodes import thickness_range, thickness_socket
-from . import colour_names
-from . import edited as stack
+from ..materials import recipe as recipes
+from ..materials.material import interface_item
+from ..materials.thickness import thickness_range, thickness_socket
+from . import colour_names, edited
 
 CHIPS = 16
 _FINE = 112  # rows that names are found in
@@ -60,7 +60,7 @@ def along(
     material: bpy.types.Material, low: float, high: float, count: int
 ) -> tuple[tuple[float, ...], Colours]:
     """Thicknesses at even steps and their colours; nothing where they cannot be computed."""
-    found = stack.known(material)
+    found = edited.known(material)
     try:
         colours = _colours(*found, count) if found else ()
     except ValueError:  # of an unfinished edit
@@ -70,7 +70,7 @@ def along(
 
 
 @lru_cache(maxsize=128)
-def _colours(_library: str, wanted: stack.Recipe, count: int) -> Colours:
+def _colours(_library: str, wanted: recipes.Recipe, count: int) -> Colours:
     import nacre
 
     size = {"R": (count, _COLUMNS)}
@@ -86,11 +86,3 @@ def _chips(values: tuple[float, ...], colours: Colours) -> tuple[Chip, ...]:
         Chip(value, tuple(map(float, plot.encode(colour))), colour_names.name(colour))
         for value, colour in zip(values, colour_names.brightened(colours), strict=True)
     )
-
-
-def register() -> None:
-    WHEN_MADE.append(describe)
-
-
-def unregister() -> None:
-    WHEN_MADE.remove(describe)

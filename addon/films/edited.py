@@ -9,58 +9,32 @@ errors, fits and shader, is compiled aside a moment later (`finish`, or the time
 from __future__ import annotations
 
 import hashlib
-import importlib.util
-import json
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from functools import lru_cache, partial
 
 import bpy
 
 from ..blender import space
-from ..core.library import Library
-from ..core.light import USUAL, Conditions, conditions_problem
-from ..core.manifest import CompiledMaterial, ManifestError, from_memory
+from ..core.computation import library_problem
+from ..core.faults import RecipeError
+from ..core.light import FIRST_NM, LAST_NM
+from ..core.manifest import CompiledMaterial, ManifestError
 from ..materials import group as groups
 from ..materials import schema
 from ..materials.image import TABLE, table_pixels
-from ..materials.material import describe, group_node, rebuild_material
-from ..viewer.probe import FIRST_NM, LAST_NM
+from ..materials.material import describe, group_node
+from ..materials.recipe import (
+    Recipe,
+    compile_recipe,
+    is_edited,
+    put_in_place,
+    recipe,
+    set_recipe,
+)
 from . import media as keys
 from .stack import Stack, StackError, parse_medium, read_stack, write_template
 
-TEMPLATE = "nacre_template"
-CONDITIONS = Conditions("nacre_illuminant", "nacre_observer", "nacre_adaptation")
-"""Custom properties of a material whose stack was edited. The text has the schema in it."""
-
 _LEFT_TO_COMPILE = ("R_further", "R_schlick", "lobe_")
-
-
-@dataclass(frozen=True)
-class Recipe:
-    """All that a compiled film depends on."""
-
-    template: str
-    conditions: Conditions = USUAL
-
-    @property
-    def digest(self) -> str:
-        parts = "\0".join((self.template, *self.conditions))
-        return hashlib.sha256(parts.encode()).hexdigest()
-
-
-def library_problem() -> str:
-    """Why the Python package that computes is not at hand and what to do, or nothing."""
-    if importlib.util.find_spec("numpy") is None:
-        return (
-            "This Blender's Python has no numpy, which computing colours and editing a stack need: take "
-            "Blender from blender.org, or install your system's package (python3-numpy)"
-        )
-    try:
-        import nacre  # noqa: F401
-    except ImportError as error:
-        return f"Needs the Python package nacre: {error}"
-    return ""
 
 
 def media() -> list[tuple[str, str]]:
@@ -99,43 +73,6 @@ def medium_name(text: str) -> str:
     return (_name_of(text) if is_key and not library_problem() else "") or text
 
 
-def is_edited(material: bpy.types.Material | None) -> bool:
-    return material is not None and TEMPLATE in material
-
-
-def recipe(material: bpy.types.Material) -> Recipe:
-    """Of the material as it is asked for: its own, or that of the library's material."""
-    if is_edited(material):
-        template = material[TEMPLATE]
-        names = [
-            material.get(name, default) for name, default in zip(CONDITIONS, USUAL, strict=True)
-        ]
-        problem = conditions_problem(*names)
-        if problem or not isinstance(template, str):
-            detail = f" ({problem})" if problem else ""
-            raise StackError(f"{material.name}: the stored stack is damaged{detail}; revert it")
-        return Recipe(template, Conditions(*names))
-    tree = group_node(material).node_tree
-    text = tree.get(groups.TEMPLATE_TEXT, "")
-    if text and isinstance(text, str):
-        return Recipe(text, _conditions(tree))
-    known = Library.default().load(tree[groups.MATERIAL])
-    if not known.template:
-        raise StackError(f"{material.name} was made by an older version: assign it again")
-    return Recipe(known.template, known.conditions)
-
-
-def _conditions(tree: bpy.types.NodeTree) -> Conditions:
-    """That the group was compiled for; older ones do not say."""
-    try:
-        names = json.loads(tree[groups.CONDITIONS])
-    except (KeyError, TypeError, ValueError):
-        return USUAL
-    if not isinstance(names, list) or len(names) != len(Conditions._fields):
-        return USUAL
-    return USUAL if conditions_problem(*names) else Conditions(*names)
-
-
 def stack_of(material: bpy.types.Material) -> Stack:
     return read_stack(recipe(material).template)
 
@@ -144,7 +81,7 @@ def damage(material: bpy.types.Material) -> str:
     """What is wrong with the stored stack, or nothing."""
     try:
         wanted = recipe(material)
-    except StackError as error:
+    except RecipeError as error:
         return str(error)
     return _damage(wanted.template) or _unknown_light(wanted.conditions.illuminant)
 
@@ -170,13 +107,6 @@ def _damage(template: str) -> str:
     return ""
 
 
-def set_recipe(material: bpy.types.Material, wanted: Recipe) -> None:
-    """Stores it; `preview` and `finish` make it visible."""
-    material[TEMPLATE] = wanted.template
-    for name, value in zip(CONDITIONS, wanted.conditions, strict=True):
-        material[name] = value
-
-
 def set_stack(material: bpy.types.Material, stack: Stack) -> None:
     before = recipe(material)
     set_recipe(material, Recipe(write_template(stack), before.conditions))
@@ -189,7 +119,7 @@ def is_stale(material: bpy.types.Material) -> bool:
         return False
     try:
         wanted = recipe(material)
-    except StackError:
+    except RecipeError:
         return False
     if node.node_tree.get(groups.RECIPE) == wanted.digest:
         return False  # the usual case, told without reading the template
@@ -229,7 +159,7 @@ def known(material: bpy.types.Material) -> tuple[str, Recipe] | None:
     try:
         wanted = recipe(material)
         return library_digest(wanted), wanted
-    except (StackError, ManifestError, ValueError):
+    except (RecipeError, ManifestError, ValueError):
         return None
 
 
@@ -288,27 +218,11 @@ def _sizes(images: Mapping[str, bpy.types.Image]) -> dict[str, tuple[int, int]]:
     return {name: (image.size[1], image.size[0]) for name, image in images.items()}
 
 
-def compile_recipe(wanted: Recipe, name: str) -> CompiledMaterial:
-    """Takes up to seconds; touches nothing of Blender's, so that it may run in any thread.
-
-    Raises ManifestError with every problem of the template.
-    """
-    import nacre
-
-    try:
-        made = nacre.compile_template(wanted.template, name, **wanted.conditions._asdict())
-    except nacre.NacreError as error:
-        raise ManifestError(str(error)) from error
-    return from_memory(made.manifest, made.osl, made.tables)
-
-
 def apply(material: bpy.types.Material, compiled: CompiledMaterial, made_from: Recipe) -> None:
     """Puts what was compiled in place; values and links are kept."""
     old = group_node(material).node_tree
-    rebuild_material(material, compiled, describe(material).form)
-    tree = group_node(material).node_tree
-    tree[groups.RECIPE] = made_from.digest
-    if old != tree and old.users == 0:
+    put_in_place(material, compiled, made_from, describe(material).form)
+    if old != group_node(material).node_tree and old.users == 0:
         _remove(old)
 
 
@@ -317,15 +231,6 @@ def finish(material: bpy.types.Material) -> None:
     if is_stale(material):
         wanted = recipe(material)
         apply(material, compile_recipe(wanted, material.name), wanted)
-
-
-def revert(material: bpy.types.Material) -> None:
-    """Back to the library's material of this id."""
-    compiled = Library.default().load(group_node(material).node_tree[groups.MATERIAL])
-    for name in (TEMPLATE, *CONDITIONS):
-        if name in material:
-            del material[name]
-    rebuild_material(material, compiled, describe(material).form)
 
 
 def _same_shape(material: bpy.types.Material, wanted: Recipe) -> bool:

@@ -13,10 +13,11 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..blender.windows import redraw_panels
+from ..core.faults import RecipeError
 from ..core.manifest import ManifestError
+from ..materials import recipe as recipes
 from ..materials.material import belongs_here
-from . import edited as stack
-from .stack import StackError
+from . import edited
 
 WAIT = 0.4  # seconds without an edit
 _POLL = 0.1
@@ -31,7 +32,7 @@ class _Compilation(threading.Thread):
     def __init__(self, material: bpy.types.Material):
         super().__init__(name="nacre compile")
         self.uid = material.session_uid
-        self.recipe = stack.recipe(material)
+        self.recipe = recipes.recipe(material)
         self.material_name = material.name
         self.began = time.monotonic()
         self.made = None
@@ -39,7 +40,7 @@ class _Compilation(threading.Thread):
 
     def run(self) -> None:
         try:
-            self.made = stack.compile_recipe(self.recipe, self.material_name)
+            self.made = recipes.compile_recipe(self.recipe, self.material_name)
         except (ManifestError, MemoryError, RuntimeError) as error:
             self.problem = str(error)
 
@@ -48,11 +49,11 @@ def changed(material: bpy.types.Material) -> None:
     """After each edit of the material's recipe."""
     _problems.pop(material.session_uid, None)
     try:
-        stack.preview(material)
-    except (StackError, ManifestError, ValueError) as error:  # NacreError is a ValueError
+        edited.preview(material)
+    except (RecipeError, ManifestError, ValueError) as error:  # NacreError is a ValueError
         _problems[material.session_uid] = str(error)
         return
-    if stack.is_stale(material):
+    if edited.is_stale(material):
         _compile_soon(material)
 
 
@@ -71,7 +72,7 @@ def _has_timers() -> bool:
 
 def warm_up(material: bpy.types.Material) -> None:
     """Lets the first edit be as quick as the others: tables that every film needs are made once."""
-    task = stack.preview_task(material)
+    task = edited.preview_task(material)
     if task is not None:
         threading.Thread(target=task, name="nacre warm-up").start()
 
@@ -99,12 +100,12 @@ def finish_all() -> None:
     """Compiles every stale material, at once; what has problems stays as it was last right."""
     _wait()
     for material in bpy.data.materials:
-        if not stack.is_edited(material) or not belongs_here(material):
+        if not recipes.is_edited(material) or not belongs_here(material):
             continue
         _edited_at.pop(material.session_uid, None)
         try:
-            stack.finish(material)
-        except (StackError, ManifestError) as error:
+            edited.finish(material)
+        except (RecipeError, ManifestError) as error:
             _problems[material.session_uid] = str(error)
 
 
@@ -117,11 +118,11 @@ def _tick() -> float | None:
         _take(_jobs.pop())
     due = time.monotonic() - WAIT
     materials = _by_uid(_edited_at)
-    for uid, edited in list(_edited_at.items()):
+    for uid, since in list(_edited_at.items()):
         material = materials.get(uid)
-        if material is None or not stack.is_stale(material):
+        if material is None or not edited.is_stale(material):
             del _edited_at[uid]
-        elif edited <= due:
+        elif since <= due:
             _jobs.append(_Compilation(material))
             _jobs[0].start()
             redraw_panels()
@@ -131,16 +132,16 @@ def _tick() -> float | None:
 
 def _take(done: _Compilation) -> None:
     material = _by_uid({done.uid}).get(done.uid)
-    if material is None or not stack.is_edited(material) or stack.damage(material):
+    if material is None or not recipes.is_edited(material) or edited.damage(material):
         _edited_at.pop(done.uid, None)
         return
-    if stack.recipe(material) != done.recipe:
+    if recipes.recipe(material) != done.recipe:
         return  # edited again meanwhile; the next turn compiles that
     _edited_at.pop(done.uid, None)
     if done.made is None:
         _problems[done.uid] = done.problem
         return
-    stack.apply(material, done.made, done.recipe)
+    edited.apply(material, done.made, done.recipe)
     redraw_panels(with_views=True)
 
 
@@ -164,14 +165,14 @@ def _before_save(*_arguments) -> None:
 def _after_undo(*_arguments) -> None:
     """Texels are no part of a step: images go back to what is packed, and stale nodes are compiled."""
     for material in bpy.data.materials:
-        if not stack.is_edited(material) or stack.group_node(material) is None:
+        if not recipes.is_edited(material) or edited.group_node(material) is None:
             continue
         if not belongs_here(material):
             continue
-        for node in stack.group_node(material).node_tree.nodes:
+        for node in edited.group_node(material).node_tree.nodes:
             if node.type == "TEX_IMAGE" and node.image is not None and node.image.is_dirty:
                 node.image.buffers_free()
-        if stack.is_stale(material):
+        if edited.is_stale(material):
             changed(material)
 
 
@@ -184,7 +185,7 @@ def _after_load(*_arguments) -> None:
 def _resume() -> None:
     """Edits that were not compiled when the extension was turned off, or saved without it."""
     for material in bpy.data.materials:
-        if belongs_here(material) and stack.is_stale(material):
+        if belongs_here(material) and edited.is_stale(material):
             _compile_soon(material)
 
 

@@ -9,14 +9,18 @@ from pathlib import Path
 import bpy
 from bpy.props import EnumProperty, IntProperty, StringProperty
 
+from ..blender.drops import OntoPanels
+from ..core.computation import library_problem
 from ..core.manifest import ManifestError
 from ..core.whole_file import write_whole
+from ..materials import group as groups
+from ..materials import recipe as recipes
 from ..materials.guard import allows_change, reports_errors
-from ..materials.material import group_node, kind
+from ..materials.material import group_node
 from ..materials.subject import active_material
-from . import edited as stack
-from . import live, properties
-from .stack import MOST_LAYERS, Layer, read_stack
+from ..materials.traits import traits
+from . import edited, live, properties
+from .stack import MOST_LAYERS, Layer, Stack, read_stack
 
 NEW_LAYER = Layer("SiO2/Malitson", 100.0)
 
@@ -27,12 +31,12 @@ class _FilmOperator(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         material = active_material(context)
-        if group_node(material) is None or kind(material) != "film":
+        if group_node(material) is None or not traits(material).editable_stack:
             cls.poll_message_set("The active material is not a film")
             return False
         if not allows_change(cls, material):
             return False
-        problem = stack.library_problem()
+        problem = library_problem()
         if problem:
             cls.poll_message_set(problem)
             return False
@@ -44,7 +48,7 @@ class _StackOperator(_FilmOperator):
     def poll(cls, context):
         if not super().poll(context):
             return False
-        if not stack.is_edited(active_material(context)):
+        if not recipes.is_edited(active_material(context)):
             cls.poll_message_set("Start with Edit Stack")
             return False
         return True
@@ -58,13 +62,13 @@ class NACRE_OT_edit_stack(_FilmOperator):
     @reports_errors
     def execute(self, context):
         material = active_material(context)
-        stack.set_recipe(material, stack.recipe(material))
+        recipes.set_recipe(material, recipes.recipe(material))
         properties.fill(material)
         live.warm_up(material)
         tree = group_node(material).node_tree
-        is_same = tree.get(stack.groups.TEMPLATE_TEXT) == material[stack.TEMPLATE]
+        is_same = tree.get(groups.TEMPLATE_TEXT) == material[recipes.TEMPLATE]
         if is_same and tree.library is None:
-            tree[stack.groups.RECIPE] = stack.recipe(material).digest
+            tree[groups.RECIPE] = recipes.recipe(material).digest
         return {"FINISHED"}
 
 
@@ -75,7 +79,7 @@ class NACRE_OT_revert_stack(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        stack.revert(active_material(context))
+        recipes.revert(active_material(context))
         return {"FINISHED"}
 
 
@@ -86,7 +90,7 @@ class NACRE_OT_finish_stack(_StackOperator):
 
     @reports_errors
     def execute(self, context):
-        stack.finish(active_material(context))
+        edited.finish(active_material(context))
         return {"FINISHED"}
 
 
@@ -98,7 +102,7 @@ class NACRE_OT_add_layer(_StackOperator):
     @reports_errors
     def execute(self, context):
         material = active_material(context)
-        made = stack.stack_of(material)
+        made = edited.stack_of(material)
         if len(made.layers) >= MOST_LAYERS:
             self.report({"ERROR"}, f"A stack has at most {MOST_LAYERS} layers")
             return {"CANCELLED"}
@@ -118,7 +122,7 @@ class NACRE_OT_remove_layer(_StackOperator):
     @reports_errors
     def execute(self, context):
         material = active_material(context)
-        made = stack.stack_of(material)
+        made = edited.stack_of(material)
         place = material.nacre.active
         if not 0 <= place < len(made.layers):
             return {"CANCELLED"}
@@ -146,7 +150,7 @@ class NACRE_OT_move_layer(_StackOperator):
     @reports_errors
     def execute(self, context):
         material = active_material(context)
-        made = stack.stack_of(material)
+        made = edited.stack_of(material)
         place = material.nacre.active
         other = place + (-1 if self.direction == "UP" else 1)
         if not (0 <= place < len(made.layers) and 0 <= other < len(made.layers)):
@@ -168,7 +172,7 @@ class NACRE_OT_vary_layer(_StackOperator):
     @reports_errors
     def execute(self, context):
         material = active_material(context)
-        made = stack.stack_of(material)
+        made = edited.stack_of(material)
         if made.has_scale:
             self.report({"ERROR"}, "This material scales all of its layers together")
             return {"CANCELLED"}
@@ -205,7 +209,7 @@ class NACRE_OT_save_template(_StackOperator):
         if path.name == ".toml":
             self.report({"ERROR"}, "The template needs the name of a file")
             return {"CANCELLED"}
-        write_whole(path, active_material(context)[stack.TEMPLATE])
+        write_whole(path, active_material(context)[recipes.TEMPLATE])
         self.report({"INFO"}, f"{path} written")
         return {"FINISHED"}
 
@@ -238,19 +242,26 @@ class NACRE_OT_load_template(_FilmOperator):
         except UnicodeDecodeError as error:
             raise ManifestError(f"{path}: must be UTF-8 text") from error
         read_stack(text)  # a film, before anything is changed
-        compiled = stack.compile_recipe(stack.Recipe(text), str(path))
-        wanted = stack.Recipe(text)
-        stack.set_recipe(material, wanted)
-        stack.apply(material, compiled, wanted)
+        compiled = recipes.compile_recipe(recipes.Recipe(text), str(path))
+        wanted = recipes.Recipe(text)
+        recipes.set_recipe(material, wanted)
+        edited.apply(material, compiled, wanted)
         properties.fill(material)
         return {"FINISHED"}
 
 
-def _show(material: bpy.types.Material, made: stack.Stack, active: int) -> None:
-    stack.set_stack(material, made)
+def _show(material: bpy.types.Material, made: Stack, active: int) -> None:
+    edited.set_stack(material, made)
     properties.fill(material)
     material.nacre.active = active
     live.changed(material)
+
+
+class NACRE_FH_template(OntoPanels, bpy.types.FileHandler):
+    bl_idname = "NACRE_FH_template"
+    bl_label = "Nacre: Film from Template"
+    bl_import_operator = "nacre.load_template"
+    bl_file_extensions = ".toml"
 
 
 CLASSES = (
@@ -263,4 +274,5 @@ CLASSES = (
     NACRE_OT_vary_layer,
     NACRE_OT_save_template,
     NACRE_OT_load_template,
+    NACRE_FH_template,
 )

@@ -8,19 +8,20 @@ import bpy
 
 from ..blender import wrapped
 from ..core.light import AS_COMPILED, USUAL, Conditions, menu_item
+from ..materials import recipe as recipes
 from ..materials.documented import Documented
-from ..materials.material import group_node, kind
+from ..materials.material import group_node
 from ..materials.subject import active_material
-from ..thickness.nodes import thickness_socket
-from . import edited as stack
-from . import live, swatch
+from ..materials.thickness import thickness_socket
+from ..materials.traits import traits
+from . import edited, live, swatch
 from .messages import spoken
 
 
 class NACRE_UL_layers(bpy.types.UIList):
     def draw_item(self, _context, layout, data, item, _icon, _active, _name, index):
         row = layout.row(align=True)
-        row.label(text=stack.medium_name(item.medium))
+        row.label(text=edited.medium_name(item.medium))
         sub = row.row(align=True)
         sub.ui_units_x = 3.2
         # A label, as a number field that is too narrow leaves the last digits out.
@@ -48,15 +49,15 @@ class _StackEditor(Documented):
     @classmethod
     def poll(cls, context):
         material = active_material(context)
-        return group_node(material) is not None and kind(material) == "film"
+        return group_node(material) is not None and traits(material).editable_stack
 
     def draw(self, context):
         layout = self.layout
         material = active_material(context)
-        if not stack.is_edited(material):
+        if not recipes.is_edited(material):
             layout.operator("nacre.edit_stack", text="Edit Stack", icon="MOD_WAVE")
             return
-        if stack.damage(material):
+        if edited.damage(material):
             layout.label(text="The stored stack cannot be read", icon="ERROR")
             layout.operator("nacre.revert_stack", text="Revert Stack", icon="LOOP_BACK")
             return
@@ -107,7 +108,7 @@ class _Advanced(Documented):
     @classmethod
     def poll(cls, context):
         material = active_material(context)
-        return stack.is_edited(material) and not stack.damage(material)
+        return recipes.is_edited(material) and not edited.damage(material)
 
     def draw(self, context):
         layout = self.layout
@@ -116,7 +117,7 @@ class _Advanced(Documented):
         layout.prop(material.nacre, "technique")
         layout.prop(material.nacre, "illuminant")
         layout.prop(material.nacre, "observer")
-        unusual = _unusual_light(stack.recipe(material).conditions)
+        unusual = _unusual_light(recipes.recipe(material).conditions)
         if unusual:
             layout.label(text=unusual, icon="LIGHT")
 

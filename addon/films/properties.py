@@ -1,10 +1,8 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Settings of the extension that belong to a scene, and the stack of a material as the panel edits it."""
+"""The stack of a material as the panel edits it."""
 
 from __future__ import annotations
-
-import time
 
 import bpy
 from bpy.props import (
@@ -17,28 +15,13 @@ from bpy.props import (
     StringProperty,
 )
 
-from ..browser import thumbnails
-from ..core.library import Library
 from ..core.light import AS_COMPILED, ILLUMINANTS, OBSERVERS, menu_item
-from ..core.looks import variants
-from ..core.words import finds
-from ..viewer import views
-from ..viewer.fields import FIELDS, SHADED
-from . import edited as stacks
-from . import live
+from ..materials import recipe as recipes
+from . import edited, live
 from .stack import TECHNIQUES as TECHNIQUE_TEXTS
-from .stack import Layer, Stack, StackError
+from .stack import Layer, Stack, StackError, read_stack, write_template
 
 # The numbers are stored in .blend files: append, never reorder.
-FORMS = (
-    ("auto", "Automatic", "Open Shading Language where the renderer runs it, else nodes", 0),
-    ("osl", "Open Shading Language", "Exact colours; Cycles on the CPU or with OptiX", 1),
-    ("nodes", "Nodes", "Works in EEVEE and on every GPU; colours outside the gamut are clipped", 2),
-)
-VIEWS = (
-    (SHADED, "Shaded", "Materials as they are", 0),
-    *((item.id, item.name, item.description, 1 + i) for i, item in enumerate(FIELDS)),
-)
 TECHNIQUES = tuple(
     (name, label, text, number)
     for number, (name, (label, text)) in enumerate(TECHNIQUE_TEXTS.items())
@@ -56,7 +39,7 @@ def _media_search(attribute: str):
 
     def offered(self, _context, typed: str) -> list[str]:
         words = [] if typed == getattr(self, attribute) else typed.lower().split()
-        offers = (f"{key}{_NAME_OF}{name}" if name else key for key, name in stacks.media())
+        offers = (f"{key}{_NAME_OF}{name}" if name else key for key, name in edited.media())
         return [offer for offer in offers if all(word in offer.lower() for word in words)]
 
     return offered
@@ -71,36 +54,18 @@ def _on_edit(self, _context) -> None:
 def _medium_edit(attribute: str):
     """For `update`: what the search offered is cut down to the key, and a name becomes its key."""
 
-    def edited(self, context) -> None:
+    def taken(self, context) -> None:
         text = getattr(self, attribute)
         if self.id_data.session_uid in _filling:
             return
         key, offered, _ = text.partition(_NAME_OF)
-        key = key if offered else stacks.meant(text)
+        key = key if offered else edited.meant(text)
         if key != text:
             setattr(self, attribute, key)  # which comes here again
         else:
             _on_edit(self, context)
 
-    return edited
-
-
-def _shown_view(_self) -> int:
-    """Read from the nodes, so that undo and files agree with it."""
-    shown = views.shown()
-    return next(number for name, _, _, number in VIEWS if name == shown)
-
-
-def _show_view(self, number: int) -> None:
-    views.show(self.id_data, VIEWS[number][0])
-
-
-def _is_lamp(_self, obj: bpy.types.Object) -> bool:
-    return obj.type == "LIGHT"
-
-
-def _on_lamp(self, _context) -> None:
-    views.choose_lamp(self.id_data, self.view_lamp)
+    return taken
 
 
 class NACRE_PG_layer(bpy.types.PropertyGroup):
@@ -196,113 +161,10 @@ class NACRE_PG_stack(bpy.types.PropertyGroup):
     )
 
 
-class NACRE_PG_scene(bpy.types.PropertyGroup):
-    form: EnumProperty(
-        name="Form",
-        description="Which form new wave materials take",
-        items=FORMS,
-        default="auto",
-    )
-    view: EnumProperty(
-        name="View",
-        description="What wave materials show; files are saved with their shaded surfaces",
-        items=VIEWS,
-        get=_shown_view,
-        set=_show_view,
-    )
-    view_lamp: PointerProperty(
-        name="Lamp",
-        description="What To Light points to; none: the nearest",
-        type=bpy.types.Object,
-        poll=_is_lamp,
-        update=_on_lamp,
-    )
-
-
-# Blender keeps no reference to the texts of a computed list of items, and asks for it several times at
-# each redraw, where a look at the library's files each time would be felt.
-_found: list[tuple[str, str, str, int, int]] = []
-_found_for: list[object] = [None, ""]  # the entries and the search
-_looked_at = [0.0]
-_SHOWN_FIRST = "tempered_steel"  # as long as nothing was chosen
-_LOOK_AGAIN = 0.5  # seconds
-
-
-def _choices(self, _context):
-    """What the search finds, each with the number that it has among all."""
-    now = time.monotonic()
-    if _found_for[1] == self.search and now < _looked_at[0] + _LOOK_AGAIN:
-        return _found
-    _looked_at[0] = now
-    entries = Library.default().entries()
-    if _found_for[0] is not entries or _found_for[1] != self.search:
-        _found_for[:] = entries, self.search
-        _found[:] = [
-            (item.key, item.label, item.entry.description, thumbnails.icon(item.key), number)
-            for number, item in enumerate(variants(entries).values())
-            if finds(item.entry, self.search)
-        ]
-    return _found
-
-
-def _choice(self) -> int:
-    """The one that was chosen, or the first that is found while that is not among them. Read without a
-    value of its own: Blender warns of one that is not offered."""
-    numbers = [item[4] for item in _choices(self, None)]
-    if self.number in numbers or not numbers:
-        return self.number
-    first = [item[4] for item in _found if item[0] == _SHOWN_FIRST]
-    return (first or numbers)[0]
-
-
-def _choose(self, number: int) -> None:
-    self.number = number
-
-
-def _on_search(self, _context) -> None:
-    if self.finds_any():
-        self.number = _choice(self)
-
-
-class NACRE_PG_browser(bpy.types.PropertyGroup):
-    """Of the side bar; of this session, in no file."""
-
-    search: StringProperty(
-        name="Search",
-        description="A look, a thing or a material: iridescent, burnt, beetle, CD, gasoline …",
-        options={"TEXTEDIT_UPDATE"},
-        update=_on_search,
-    )
-    number: IntProperty(
-        name="Number", description="Of the material that was chosen, among all", default=-1
-    )
-    choice: EnumProperty(
-        name="Material",
-        description="Which material",
-        items=_choices,
-        get=_choice,
-        set=_choose,
-    )
-    recent: StringProperty(name="Recent", description="Assigned last, the last one first")
-    favourites: StringProperty(name="Favourites", description="In the order in which they came")
-    shows_fine: BoolProperty(
-        name="More", description="Show what is seldom changed, too", default=False
-    )
-
-    def finds_any(self) -> bool:
-        return bool(_choices(self, None))
-
-
-class NACRE_PG_probe(bpy.types.PropertyGroup):
-    """What the last probe found, as JSON; of this session, in no file."""
-
-    json: StringProperty(name="JSON", description="All numbers and both spectra")
-
-
 def fill(material: bpy.types.Material) -> None:
     """Shows the stack that the material stores."""
-    wanted = stacks.recipe(material)
-    stack = stacks.read_stack(wanted.template)
+    wanted = recipes.recipe(material)
+    stack = read_stack(wanted.template)
     shown = material.nacre
     _filling.add(material.session_uid)
     try:
@@ -326,8 +188,8 @@ def store(material: bpy.types.Material) -> None:
     """Takes what is shown over into the stored template, and makes it visible."""
     shown = material.nacre
     varying = shown.varying if 0 <= shown.varying < len(shown.layers) else None
-    recipe = stacks.recipe(material)
-    before = stacks.read_stack(recipe.template)
+    recipe = recipes.recipe(material)
+    before = read_stack(recipe.template)
     stack = Stack(
         ambient=shown.ambient,
         layers=[Layer(i.medium, _tidy(i.thickness_nm), i.coherent) for i in shown.layers],
@@ -339,7 +201,7 @@ def store(material: bpy.types.Material) -> None:
         look_range_nm=before.look_range_nm,
     )
     try:
-        text = stacks.write_template(stack)
+        text = write_template(stack)
     except StackError as error:
         live.refuse(material, str(error))
         return
@@ -350,7 +212,7 @@ def store(material: bpy.types.Material) -> None:
         return
     if shown.illuminant != AS_COMPILED:
         conditions = conditions._replace(illuminant=shown.illuminant)
-    stacks.set_recipe(material, stacks.Recipe(text, conditions))
+    recipes.set_recipe(material, recipes.Recipe(text, conditions))
     live.changed(material)
 
 
@@ -359,24 +221,12 @@ def _tidy(number: float) -> float:
     return float(f"{number:.7g}")
 
 
-CLASSES = (
-    NACRE_PG_layer,
-    NACRE_PG_stack,
-    NACRE_PG_scene,
-    NACRE_PG_browser,
-    NACRE_PG_probe,
-)
+CLASSES = (NACRE_PG_layer, NACRE_PG_stack)
 
 
 def register() -> None:
-    bpy.types.Scene.nacre = PointerProperty(type=NACRE_PG_scene)
     bpy.types.Material.nacre = PointerProperty(type=NACRE_PG_stack)
-    bpy.types.WindowManager.nacre = PointerProperty(type=NACRE_PG_browser)
-    bpy.types.WindowManager.nacre_probe = PointerProperty(type=NACRE_PG_probe)
 
 
 def unregister() -> None:
-    del bpy.types.WindowManager.nacre_probe
-    del bpy.types.WindowManager.nacre
     del bpy.types.Material.nacre
-    del bpy.types.Scene.nacre

@@ -12,6 +12,8 @@ import tomllib
 from dataclasses import dataclass, field
 from typing import Any
 
+from ..core.faults import RecipeError
+
 MOST_LAYERS = 64
 """cpp_tools/include/nacre/optics/multilayer.h says so too, and checks."""
 
@@ -33,7 +35,7 @@ _NUMBER = r"[0-9]*\.?[0-9]+(?:e[+-]?[0-9]+)?"
 _COMPLEX = re.compile(rf"({_NUMBER})(?:\+({_NUMBER})i)?", re.IGNORECASE)
 
 
-class StackError(Exception):
+class StackError(RecipeError):
     """A stack cannot be read or edited so; one line for each fault."""
 
 

@@ -11,7 +11,14 @@ from __future__ import annotations
 import bpy
 
 from ..blender.formula import Formula, Operand
+from ..core.form import NODES
 from ..core.graph import Graph
+from ..core.manifest import CompiledMaterial
+from ..materials import group as groups
+from ..materials import material as materials
+
+_GEM = "gem"
+"""The tag of what stones are cut from."""
 
 SHADER = "EEVEE"
 """The output of a group, and the material's output that it goes to."""
@@ -36,10 +43,19 @@ _TURNS, _CHANCE_RAD = 3.0, 1.6
 _FLAT = "sharp_face"  # Blender's own attribute; there is none where all faces are smooth
 
 
-def suits(graph: Graph) -> bool:
-    """Of one interface: glass, or a film on it."""
+def suits(material: CompiledMaterial, form: str) -> bool:
+    """As nodes, which EEVEE runs, of what stones are cut from."""
+    return form == NODES and _GEM in material.tags and _is_one_interface(material.graphs[form])
+
+
+def _is_one_interface(graph: Graph) -> bool:
+    """Of a body, with layers on it or without."""
     closures = sorted(node.type for node in graph.nodes if node.type.startswith("ShaderNodeBsdf"))
     return closures in ([_GLASS], [_GLOSSY, _REFRACTION])
+
+
+def is_in(group: bpy.types.ShaderNodeTree) -> bool:
+    return SHADER in group.interface.items_tree
 
 
 def add(group: bpy.types.ShaderNodeTree) -> None:
@@ -208,3 +224,25 @@ def _turned(
     )
     formula.put(direction, node.inputs[0])
     return formula.vector("NORMALIZE", node.outputs[0])
+
+
+# ---- Its part in materials that are made -----------------------------------------------------------
+
+
+_FACETS = groups.Addition(suits, is_in, add)
+
+
+def _show_of(material: bpy.types.Material) -> None:
+    show(material, materials.group_node(material))
+
+
+def register() -> None:
+    """Once is enough: what makes materials without the extension being registered asks for it, too."""
+    if _FACETS not in groups.ADDITIONS:
+        groups.ADDITIONS.append(_FACETS)
+        materials.WHEN_MADE.append(_show_of)
+
+
+def unregister() -> None:
+    groups.ADDITIONS.remove(_FACETS)
+    materials.WHEN_MADE.remove(_show_of)

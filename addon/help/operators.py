@@ -12,8 +12,8 @@ import bpy
 from bpy.props import EnumProperty, StringProperty
 
 from ..core import manual
+from ..core.computation import library_problem
 from ..core.library import Library
-from ..films.edited import library_problem
 from ..materials.guard import reports_errors
 from ..materials.script import has_osl
 
@@ -106,3 +106,11 @@ def manual_map():
 
 
 CLASSES = (NACRE_OT_open_manual, NACRE_OT_copy_report)
+
+
+def register() -> None:
+    bpy.utils.register_manual_map(manual_map)
+
+
+def unregister() -> None:
+    bpy.utils.unregister_manual_map(manual_map)

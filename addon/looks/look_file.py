@@ -10,12 +10,12 @@ from pathlib import Path
 
 import bpy
 
+from ..assets import asset
 from ..blender.output import OutputError
-from ..core.catalogues import catalogue_id, thumbnail
+from ..core.catalogues import thumbnail
 from ..core.library import Library
-from ..core.whole_file import aside
 from ..core.words import synonyms
-from ..films import edited as stack
+from ..films import edited
 from ..materials import group as groups
 from ..materials import schema
 from ..materials.material import belongs_here, group_node, kind, missing_tables
@@ -39,18 +39,13 @@ def write(material: bpy.types.Material, name: str, path: Path, words: str = "") 
     _must_be_whole(material)
     if not path.parent.is_dir():
         raise OutputError(f"{path}: there is no folder {path.parent}")
-    unfinished = aside(path)
     with _lone_copy(material) as (copy, called):
         called(name)
         _mark(copy, material, words)
         try:
-            bpy.data.libraries.write(str(unfinished), {copy}, fake_user=True, compress=True)
-            unfinished.replace(path)
+            asset.write(path, {copy})
         except (OSError, RuntimeError) as error:
             raise OutputError(f"{path}: could not be written: {_reason(error)}") from error
-        finally:
-            with contextlib.suppress(OSError):
-                unfinished.unlink()
         return list(copy.preview.image_pixels_float)
 
 
@@ -64,7 +59,7 @@ def _must_be_whole(material: bpy.types.Material) -> None:
     if refusal:
         raise OutputError(refusal)
     if belongs_here(material):
-        stack.finish(material)
+        edited.finish(material)
     missing = missing_tables(material)
     if missing:
         raise OutputError(
@@ -78,7 +73,6 @@ def _lone_copy(material: bpy.types.Material) -> Iterator[tuple]:
     shown = views.shown()
     if shown != SHADED:
         views.show(bpy.context.scene, SHADED)
-    before = all_blocks()  # now: Blender may put new ones where those of the view were
     renamed: list[tuple[bpy.types.Material, str]] = []
 
     def called(name: str) -> None:
@@ -89,15 +83,16 @@ def _lone_copy(material: bpy.types.Material) -> Iterator[tuple]:
         copy.name = name
 
     try:
-        copy = material.copy()
-        for stated in (LOOK, PRINT):
-            if stated in copy:
-                del copy[stated]
-        let_go(copy.node_tree)
-        _pack(copy.node_tree)
-        yield copy, called
+        # Only now: Blender may put new blocks where those of the view were.
+        with asset.only_for_now():
+            copy = material.copy()
+            for stated in (LOOK, PRINT):
+                if stated in copy:
+                    del copy[stated]
+            let_go(copy.node_tree)
+            _pack(copy.node_tree)
+            yield copy, called
     finally:
-        bpy.data.batch_remove(all_blocks() - before)
         for holder, name in renamed:
             holder.name = name
         if shown != SHADED:
@@ -160,20 +155,18 @@ def _packed(image: bpy.types.Image) -> bpy.types.Image:
 
 def _mark(copy: bpy.types.Material, material: bpy.types.Material, words: str) -> None:
     entry = Library.default().entries().get(group_node(copy).node_tree[groups.MATERIAL])
-    copy.asset_mark()
-    data = copy.asset_data
-    data.description = words or (entry.description if entry else "")
-    tags = [kind(copy), "Nacre"]
-    if entry is not None:
-        data.catalog_id = catalogue_id(entry.category)
-        tags += [*entry.tags, *synonyms(entry)]
-    for tag in dict.fromkeys(tags):
-        data.tags.new(tag, skip_if_exists=True)
+    own = (*entry.tags, *synonyms(entry)) if entry else ()
+    asset.mark(
+        copy,
+        category=entry.category if entry else "",
+        description=words or (entry.description if entry else ""),
+        tags=dict.fromkeys(filter(None, (kind(copy), "Nacre", *own))),
+    )
     _give_picture(copy, material)
 
 
 def _give_picture(copy: bpy.types.Material, material: bpy.types.Material) -> None:
-    """Films are drawn; others have the picture of the library's material."""
+    """What has layers is drawn; others have the picture of the library's material."""
     shown = ball.subject(material)
     preview = copy.preview_ensure()
     if shown is not None:
@@ -182,10 +175,7 @@ def _give_picture(copy: bpy.types.Material, material: bpy.types.Material) -> Non
             preview.image_size = PICTURE, PICTURE
             preview.image_pixels_float.foreach_set(pixels.ravel())
             return
-    picture = thumbnail(group_node(copy).node_tree[groups.MATERIAL])
-    if picture.is_file():
-        with bpy.context.temp_override(id=copy):
-            bpy.ops.ed.lib_id_load_custom_preview(filepath=str(picture))
+    asset.give_picture(copy, thumbnail(group_node(copy).node_tree[groups.MATERIAL]))
 
 
 # ---- Reading -------------------------------------------------------------------------------------
@@ -195,7 +185,7 @@ def append(path: Path) -> dict[bpy.types.Material, str]:
     """The wave materials of a file, and what they are called there. Raises OutputError, and leaves
     nothing, where there is none, or one that is newer than this version."""
     _must_be_blend(path)
-    before = all_blocks()
+    before = asset.all_blocks()
     try:
         with bpy.data.libraries.load(str(path), link=False) as (source, target):
             names = list(source.materials)
@@ -210,7 +200,7 @@ def append(path: Path) -> dict[bpy.types.Material, str]:
             if refusal:
                 raise OutputError(f"{path}: {material.name}: {refusal}")
     except (OSError, RuntimeError, OutputError) as error:
-        bpy.data.batch_remove(all_blocks() - before)
+        bpy.data.batch_remove(asset.all_blocks() - before)
         if isinstance(error, OutputError):
             raise
         raise OutputError(f"{path}: cannot be read: {_reason(error)}") from error
@@ -249,18 +239,13 @@ def _share(material: bpy.types.Material, before: set[bpy.types.ID]) -> None:
 def sweep(before: set[bpy.types.ID], wanted: set[bpy.types.Material]) -> None:
     """Takes out what came along and belongs to none of the materials."""
     carried = {id_ for kind_ in _CARRIED for id_ in getattr(bpy.data, kind_)}
-    bpy.data.batch_remove((all_blocks() - before) - carried)
+    bpy.data.batch_remove((asset.all_blocks() - before) - carried)
     while True:
         left = [
             block
-            for block in all_blocks() - before - wanted
+            for block in asset.all_blocks() - before - wanted
             if block.users - block.use_fake_user <= 0 or isinstance(block, bpy.types.Material)
         ]
         if not left:
             return
         bpy.data.batch_remove(left)
-
-
-def all_blocks() -> set[bpy.types.ID]:
-    lists = (p.identifier for p in bpy.data.bl_rna.properties if p.type == "COLLECTION")
-    return {block for name in lists for block in getattr(bpy.data, name)}

@@ -22,8 +22,8 @@ from ..blender.output import OutputError
 from ..core.catalogues import FILE, catalogue_text
 from ..core.library import Library
 from ..core.whole_file import aside, write_whole
-from ..films import edited as stack
 from ..materials import group as groups
+from ..materials import recipe as recipes
 from ..materials import schema
 from ..materials.image import save_png
 from ..materials.material import group_node
@@ -187,7 +187,7 @@ def fingerprint(material: bpy.types.Material) -> str:
          link.to_socket.identifier)
         for link in tree.links
     )  # fmt: skip
-    told = [nodes, links, stack.recipe(material).digest if stack.is_edited(material) else ""]
+    told = [nodes, links, recipes.recipe(material).digest if recipes.is_edited(material) else ""]
     return hashlib.sha256(json.dumps(told).encode()).hexdigest()
 
 

@@ -9,12 +9,13 @@ from pathlib import Path
 import bpy
 from bpy.props import BoolProperty, StringProperty
 
+from ..assets import asset
 from ..blender.output import OutputError
-from ..browser.assign import named, put, takers
 from ..materials import scene as scene_setup
 from ..materials.guard import reports_errors
 from ..materials.material import describe, group_node
 from ..materials.subject import active_material
+from ..materials.takers import named, put, takers
 from ..thickness import nodes as thickness
 from ..thickness import painting
 from ..thickness.operators import around
@@ -192,7 +193,7 @@ class NACRE_OT_import_look(bpy.types.Operator):
         objects = takers(context)
         if not objects and not self.keep:
             raise OutputError("Select an object for the look, or keep it among your looks")
-        before = look_file.all_blocks()
+        before = asset.all_blocks()
         materials = look_file.append(Path(bpy.path.abspath(self.filepath)))
         first = next(iter(materials))
         names = [materials[first]]

@@ -47,6 +47,7 @@ class NACRE_PT_viewport_looks(_Looks, bpy.types.Panel):
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
     bl_category = "Nacre"
+    bl_order = 4
 
 
 class NACRE_PT_material_looks(_Looks, bpy.types.Panel):

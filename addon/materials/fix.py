@@ -9,11 +9,11 @@ from bpy.props import EnumProperty
 
 from ..core.form import choose_form
 from ..core.library import Library
-from ..films import edited as stack
 from . import group as groups
+from . import recipe as recipes
 from . import scene as scene_setup
 from .guard import allows_change, reports_errors
-from .material import describe, group_node, rebuild_material
+from .material import describe, group_node
 from .subject import active_material
 
 
@@ -105,16 +105,14 @@ class NACRE_OT_rebuild_material(bpy.types.Operator):
     def execute(self, context):
         material = active_material(context)
         tree = group_node(material).node_tree
-        if stack.is_edited(material):
-            made_from = stack.recipe(material)
-            compiled = stack.compile_recipe(made_from, material.name)
+        if recipes.is_edited(material):
+            made_from = recipes.recipe(material)
+            compiled = recipes.compile_recipe(made_from, material.name)
         else:
             made_from, compiled = None, Library.default().load(tree[groups.MATERIAL])
         wanted = describe(material).form if self.form == "same" else self.form
         form = choose_form(compiled, wanted, scene_setup.renderer(context.scene))
-        rebuild_material(material, compiled, form)
-        if made_from is not None:
-            group_node(material).node_tree[groups.RECIPE] = made_from.digest
+        recipes.put_in_place(material, compiled, made_from, form)
         scene_setup.serve(context.scene, form, compiled.wavelength_per_path)
         return {"FINISHED"}
 

@@ -5,16 +5,17 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Any
 
 import bpy
 
 from ..blender import space
-from ..core.form import NODES, OSL
+from ..core.form import OSL
 from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
 from ..core.space import Matrix, converted
-from ..gems import cut_stone
 from .image import drop_unused, is_missing, table_image
 from .script import fill_script_node
 
@@ -34,6 +35,7 @@ SCHEMA_VERSION = 2
     WAVELENGTHS,
     NOTES,
     CONDITIONS,
+    TRAITS,
 ) = (
     "nacre_material",
     "nacre_kind",
@@ -47,7 +49,20 @@ SCHEMA_VERSION = 2
     "nacre_wavelength_per_path",
     "nacre_notes",
     "nacre_conditions",
+    "nacre_traits",
 )
+
+
+@dataclass(frozen=True)
+class Addition:
+    """What a feature adds to groups besides their graph."""
+
+    suits: Callable[[CompiledMaterial, str], bool]  # whether it belongs to a material of a form
+    is_in: Callable[[bpy.types.ShaderNodeTree], bool]
+    add: Callable[[bpy.types.ShaderNodeTree], None]
+
+
+ADDITIONS: list[Addition] = []
 
 _SOCKET_TYPES = {
     "float": "NodeSocketFloat",
@@ -62,13 +77,13 @@ _COLUMN, _ROW = 220.0, 190.0
 def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNodeTree:
     """The material's group; one of the same template and shader in the file is used again, unless
     it is linked: that one may change with its own file. Nor is one whose tables are gone."""
-    has_facets = form == NODES and material.is_gem and cut_stone.suits(material.graphs[form])
+    additions = [addition for addition in ADDITIONS if addition.suits(material, form)]
     for group in bpy.data.node_groups:
         if group.library is not None or group.get(DIGEST) != material.digest:
             continue
         if group.get(FORM) != form or group.get(SCHEMA) != SCHEMA_VERSION:
             continue
-        if has_facets and cut_stone.SHADER not in group.interface.items_tree:
+        if not all(addition.is_in(group) for addition in additions):
             continue
         images = (node.image for node in group.nodes if node.type == "TEX_IMAGE")
         if space.is_right(group) and not any(map(is_missing, images)):
@@ -76,8 +91,8 @@ def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNod
     group = bpy.data.node_groups.new(material.name, "ShaderNodeTree")
     try:
         _fill(group, material, material.graphs[form])
-        if has_facets:
-            cut_stone.add(group)
+        for addition in additions:
+            addition.add(group)
     except Exception:
         bpy.data.node_groups.remove(group)
         drop_unused(material)
@@ -118,6 +133,7 @@ def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> No
     group[WAVELENGTHS] = material.wavelength_per_path and form == OSL
     group[NOTES] = "\n".join(material.notes)
     group[CONDITIONS] = json.dumps(material.conditions)
+    group[TRAITS] = material.traits.text()
     group[SOCKETS] = json.dumps(identifiers_in_order(group, material))
     space.state(group)
 
@@ -126,11 +142,8 @@ def _fill(group: bpy.types.NodeTree, material: CompiledMaterial, graph: Graph) -
     matrix = space.to_file(material.to_xyz_d65)
     for socket in material.sockets:
         _add_interface_socket(group, socket, matrix)
-    for endpoint in {str(target): target for _, target in graph.links}.values():
-        if endpoint.node == GROUP_OUTPUT:
-            group.interface.new_socket(
-                name=endpoint.socket, in_out="OUTPUT", socket_type="NodeSocketShader"
-            )
+    for name in graph.outputs:
+        group.interface.new_socket(name=name, in_out="OUTPUT", socket_type="NodeSocketShader")
     nodes = {
         GROUP_INPUT: group.nodes.new("NodeGroupInput"),
         GROUP_OUTPUT: group.nodes.new("NodeGroupOutput"),

@@ -9,27 +9,11 @@ import traceback
 
 import bpy
 
-from ..blender.output import OutputError
-from ..core.exr import ExrError
-from ..core.form import FormError
-from ..core.manifest import ManifestError
-from ..core.oso import OsoError
-from ..films.stack import StackError
-from ..viewer.probe import ProbeError
+from ..core.faults import ForeseenError
 from . import schema
 from .material import belongs_here, group_node
 
-_EXPECTED = (
-    ExrError,
-    FormError,
-    ManifestError,
-    OsoError,
-    OutputError,
-    ProbeError,
-    StackError,
-    OSError,
-    RuntimeError,
-)
+_EXPECTED = (ForeseenError, OSError, RuntimeError)
 
 
 def must_be_local(name: str, library: bpy.types.Library | None) -> str:

@@ -5,18 +5,24 @@ any number that is typed."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
+
 import bpy
 from bpy.app.handlers import persistent
 
-from ..thickness.nodes import sources_of, spec_of, thickness_range, thickness_socket
 from . import group as groups
 from .material import belongs_here, group_node
+
+Limit = tuple[bpy.types.NodeSocket, float, float]
+
+FURTHER: list[Callable[[bpy.types.Material], Iterable[Limit]]] = []
+"""Of nodes that features put before a material's group."""
 
 _held: dict[int, dict[str, str]] = {}  # by material's session_uid: socket's path, what was done
 
 
 def hold(material: bpy.types.Material) -> None:
-    """Every number of the material's group, and of the sources of its thickness."""
+    """Every number of the material's group, and of what else feeds it."""
     said = _held.setdefault(material.session_uid, {})
     for socket, low, high in _limits(material):
         value = socket.default_value
@@ -35,21 +41,14 @@ def held(material: bpy.types.Material) -> list[str]:
     return list(_held.get(material.session_uid, {}).values())
 
 
-def _limits(material: bpy.types.Material):
-    node = group_node(material)
-    yield from _of_interface(node)
-    socket = thickness_socket(material)
-    if socket is None:
-        return
-    span = thickness_range(socket)
-    for source in sources_of(material):
-        yield from _of_interface(source)
-        for item in spec_of(source).inputs:
-            if item.is_thickness and item.name in source.inputs:
-                yield source.inputs[item.name], *((0.0, span[1]) if item.added else span)
+def _limits(material: bpy.types.Material) -> Iterator[Limit]:
+    yield from of_interface(group_node(material))
+    for more in FURTHER:
+        yield from more(material)
 
 
-def _of_interface(node: bpy.types.ShaderNodeGroup):
+def of_interface(node: bpy.types.ShaderNodeGroup) -> Iterator[Limit]:
+    """What a group says of its own inputs."""
     limits = {
         item.identifier: (item.min_value, item.max_value)
         for item in node.node_tree.interface.items_tree

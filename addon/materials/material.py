@@ -12,7 +12,7 @@ import bpy
 from ..blender import animation
 from ..core.form import NODES, OSL
 from ..core.manifest import CompiledMaterial
-from ..gems import cut_stone
+from ..core.traits import EMISSION, SURFACE, VOLUME, Traits
 from . import group as groups
 from . import schema
 from .image import drop_unused, is_missing
@@ -22,6 +22,9 @@ AFTER_REBUILD: list[Callable[[bpy.types.Material], None]] = []
 """What looks at a material's group, and has to look at the new one."""
 WHEN_MADE: list[Callable[[bpy.types.Material], None]] = []
 """What adds to a group that was just put in place."""
+
+_PLACES = {SURFACE: "Surface", EMISSION: "Surface", VOLUME: "Volume"}
+"""Inputs of a material's output, by the role of what leads there."""
 
 
 def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material:
@@ -39,14 +42,34 @@ def create_material(compiled: CompiledMaterial, form: str) -> bpy.types.Material
         bpy.data.materials.remove(material)
         raise
     node.name = node.label = compiled.name
-    tree.links.new(node.outputs[0], output.inputs["Surface"])
-    cut_stone.show(material, node)
+    _connect(node, output, compiled.traits)
     material.surface_render_method = _render_method(compiled)
     material[groups.SCHEMA] = groups.SCHEMA_VERSION
     material[groups.MATERIAL] = compiled.id
     for add in WHEN_MADE:
         add(material)
     return material
+
+
+def _connect(
+    node: bpy.types.ShaderNodeGroup, output: bpy.types.ShaderNodeOutputMaterial, traits: Traits
+) -> None:
+    """By role, where nothing leads yet; what has the same place is added up."""
+    tree = node.id_data
+    fed: dict[str, list[bpy.types.NodeSocket]] = {}
+    for closure in traits.closures:
+        fed.setdefault(_PLACES[closure.role], []).append(node.outputs[closure.output])
+    for place, (first, *others) in fed.items():
+        if output.inputs[place].is_linked:
+            continue
+        total = first
+        for other in others:
+            both = tree.nodes.new("ShaderNodeAddShader")
+            both.location = (output.location.x - 60.0, output.location.y - 180.0)
+            tree.links.new(total, both.inputs[0])
+            tree.links.new(other, both.inputs[1])
+            total = both.outputs[0]
+        tree.links.new(total, output.inputs[place])
 
 
 def _render_method(compiled: CompiledMaterial) -> str:
@@ -88,10 +111,8 @@ def rebuild_material(material: bpy.types.Material, compiled: CompiledMaterial, f
     for name, source in feeds.items():
         if name in names:
             material.node_tree.links.new(source, input_socket(material, name))
-    surface = next(n for n in material.node_tree.nodes if n.type == "OUTPUT_MATERIAL")
-    if not surface.inputs["Surface"].is_linked:
-        material.node_tree.links.new(node.outputs[0], surface.inputs["Surface"])
-    cut_stone.show(material, node)
+    output = next(n for n in material.node_tree.nodes if n.type == "OUTPUT_MATERIAL")
+    _connect(node, output, compiled.traits)
     for follow in (*WHEN_MADE, *AFTER_REBUILD):
         follow(material)
 
@@ -146,9 +167,10 @@ def notes(material: bpy.types.Material) -> list[str]:
 
 
 def kind(material: bpy.types.Material) -> str:
-    """`film`, `grating` or `glass`."""
+    """The word that its manifest has for it, to be shown and searched for; what is asked is in its traits."""
     node = group_node(material)
-    return node.node_tree.get(groups.KIND, "film") if node else "film"
+    found = node.node_tree.get(groups.KIND) if node else ""
+    return found if isinstance(found, str) else ""
 
 
 def missing_tables(material: bpy.types.Material) -> tuple[str, ...]:

@@ -4,23 +4,37 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import dataclass
+
 import bpy
 
 from ..blender import wrapped
+from ..core.computation import library_problem
 from ..core.form import NODES, OSL
-from ..films import edited as stack
-from ..lighting import world as lighting
-from ..thickness import panel as thickness_panel
-from ..thickness.nodes import thickness_socket
 from . import group as groups
 from . import scene as scene_setup
 from .documented import Documented
-from .material import describe, group_node, input_socket, kind, missing_tables, notes
+from .material import describe, group_node, input_socket, missing_tables, notes
 from .problems import find_problems
 from .subject import active_material, subject
+from .traits import traits
 
 _FINE = 200  # faces
 _EXACT_ROUGH = "exact_rough"  # by its manifest name
+
+
+@dataclass(frozen=True)
+class Section:
+    """What a feature draws before the inputs of a wave material, and the input that is in it."""
+
+    draw: Callable[[bpy.types.UILayout, bpy.types.Context], None]
+    shown: Callable[[bpy.types.Material], bpy.types.NodeSocket | None]
+
+
+SECTIONS: list[Section] = []
+ABOVE: list[Callable[[bpy.types.UILayout, bpy.types.Context], None]] = []
+"""What features draw before all that is about the material itself."""
 
 
 class _WaveOptics(Documented):
@@ -43,7 +57,8 @@ class _WaveOptics(Documented):
         label = "Assign Wave Material…" if node is None else "Replace by Another…"
         row.operator("nacre.assign_material", text=label, icon="SHADING_RENDERED")
         if node is not None:
-            draw_light(layout, context.scene)
+            for draw in ABOVE:
+                draw(layout, context)
             draw_material(layout, context)
 
 
@@ -115,8 +130,8 @@ def draw_material(layout, context) -> None:
 
 
 def _draw_problems(layout, context, material) -> None:
-    missing = stack.library_problem()
-    if missing and kind(material) == "film":
+    missing = library_problem()
+    if missing and traits(material).editable_stack:
         wrapped.label(layout.box(), missing, "ERROR")
     state = scene_setup.state(context.scene, missing_tables(material))
     for problem in find_problems(describe(material), state):
@@ -135,35 +150,17 @@ def _is_round_but_flat(obj: bpy.types.Object) -> bool:
     return not any(faces[i].use_smooth for i in (0, len(faces) // 2, len(faces) - 1))
 
 
-def draw_light(layout, scene) -> None:
-    """An offer while there is nothing to mirror; the sliders of what was taken."""
-    node = lighting.light_of(scene.world)
-    if node is None:
-        if not lighting.is_plain(scene.world):
-            return
-        box = layout.box()
-        box.label(text="Nothing here for films to mirror", icon="WORLD")
-        box.operator_menu_enum("nacre.light_scene", "light", text="Light the Scene")
-        return
-    column = layout.box().column(align=True)
-    row = column.row(align=True)
-    row.operator_menu_enum("nacre.light_scene", "light", text=node.label, icon="WORLD")
-    row.operator("nacre.remove_light", text="", icon="X")
-    for socket in node.inputs:
-        column.prop(socket, "default_value", text=socket.name)
-
-
 def _draw_notes(layout, material) -> None:
     for note in notes(material):
         wrapped.label(layout.box(), note, "INFO")
 
 
 def _draw_sockets(layout, context, material, node) -> None:
-    thickness_panel.draw(layout, context)
+    for section in SECTIONS:
+        section.draw(layout, context)
     column = layout.column()
-    varies = thickness_socket(material)
     used = _used_inputs(node.node_tree)
-    apart = (varies, input_socket(material, _EXACT_ROUGH))
+    apart = (input_socket(material, _EXACT_ROUGH), *(s.shown(material) for s in SECTIONS))
     for socket in node.inputs:
         if socket.hide_value or socket.identifier not in used or socket in apart:
             continue

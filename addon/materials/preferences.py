@@ -4,29 +4,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import groupby
 
 import bpy
-from bpy.props import BoolProperty, StringProperty
 
-from ..assets import build as assets
-from ..assets.panel import draw_asset_build
 from ..blender import wrapped
+from ..core.computation import library_problem
 from ..core.library import Library
-from ..films.edited import library_problem
 from .script import has_osl
+
+SECTIONS: list[Callable[[bpy.types.UILayout, bpy.types.AddonPreferences], None]] = []
+"""What features draw of theirs."""
 
 
 class NACRE_preferences(bpy.types.AddonPreferences):
-    bl_idname = __package__.rpartition(".")[0]
+    """Features add properties by `keep`."""
 
-    keep_assets: BoolProperty(
-        name="Keep the Asset Library",
-        description="Make the asset library by itself after installing and after updates, aside",
-        default=True,
-    )
-    recent: StringProperty(name="Recent", description="Assigned last, the last one first")
-    favourites: StringProperty(name="Favourites", description="In the order in which they came")
+    bl_idname = __package__.rpartition(".")[0]
 
     def draw(self, _context):
         layout = self.layout
@@ -46,20 +41,22 @@ class NACRE_preferences(bpy.types.AddonPreferences):
         row = layout.row()
         row.operator("nacre.open_manual", text="Manual", icon="HELP")
         row.operator("nacre.copy_report", text="Copy for a Bug Report", icon="COPYDOWN")
-        layout.prop(self, "keep_assets")
-        draw_asset_build(layout)
-        row = layout.row()
-        if assets.is_built(assets.default_folder()):
-            row.operator(
-                "nacre.add_asset_library", text="Rebuild Asset Library", icon="FILE_REFRESH"
-            )
-            row.operator("nacre.remove_asset_library", text="Remove from Asset Browser", icon="X")
-        else:
-            row.operator(
-                "nacre.add_asset_library", text="Add to Asset Browser", icon="ASSET_MANAGER"
-            )
+        for section in SECTIONS:
+            section(layout, self)
         for category, entries in groupby(library.entries().values(), key=lambda e: e.category):
             names = " · ".join(entry.name for entry in entries)
             split = layout.split(factor=0.25)
             split.label(text=category)
             split.label(text=names)
+
+
+def keep(**properties: object) -> None:
+    """Adds properties, such as BoolProperty(…). To be called while modules are loaded: unlike those of other
+    classes, preferences take none when they are registered."""
+    NACRE_preferences.__annotations__.update(properties)
+
+
+def preferences() -> bpy.types.AddonPreferences | None:
+    """None where Nacre runs without being installed as an add-on."""
+    addon = bpy.context.preferences.addons.get(NACRE_preferences.bl_idname)
+    return addon.preferences if addon is not None else None

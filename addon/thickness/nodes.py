@@ -11,7 +11,8 @@ import bpy
 
 from ..materials import group as groups
 from ..materials.image import hold_as_data
-from ..materials.material import group_node, input_socket, interface_item
+from ..materials.material import group_node
+from ..materials.thickness import thickness_range, thickness_socket
 from . import heat
 from .groups import SOURCE, source_group
 from .sources import (
@@ -20,7 +21,6 @@ from .sources import (
     ON,
     POINT,
     POSITION,
-    SOCKETS,
     STRENGTH,
     UPON,
     Source,
@@ -33,20 +33,6 @@ MADE_HERE = "nacre_followed"
 
 _FEEDS = ("TEX_COORD", "NEW_GEOMETRY", "ATTRIBUTE", "TEX_IMAGE", "VALTORGB")
 """Types of the nodes that come with a source."""
-
-
-def thickness_socket(material: bpy.types.Material) -> bpy.types.NodeSocket | None:
-    """The input that sources feed, or None where the material has one thickness."""
-    if group_node(material) is None:
-        return None
-    found = (input_socket(material, name) for name in SOCKETS)
-    return next((socket for socket in found if socket is not None), None)
-
-
-def thickness_range(socket: bpy.types.NodeSocket) -> tuple[float, float]:
-    """What the material's tables cover; beyond it they hold their edge."""
-    item = interface_item(socket)
-    return item.min_value, item.max_value
 
 
 def sources_of(material: bpy.types.Material) -> list[bpy.types.ShaderNodeGroup]:

@@ -8,11 +8,13 @@ import bpy
 from bpy.props import EnumProperty, FloatProperty, IntProperty, StringProperty
 from mathutils import Vector
 
+from ..blender.drops import OntoPanels
 from ..blender.output import OutputError
 from ..films import colours as film_colours
 from ..materials.guard import allows_change, reports_errors
 from ..materials.image import hold_as_data
 from ..materials.subject import active_material, subject
+from ..materials.thickness import thickness_range, thickness_socket
 from . import heat, painting
 from . import nodes as thickness
 from .sources import CURVE, POINT, SOURCES, STRENGTH, UPON, source
@@ -24,7 +26,7 @@ class _ThicknessOperator(bpy.types.Operator):
     @classmethod
     def poll(cls, context):
         material = active_material(context)
-        if material is None or thickness.thickness_socket(material) is None:
+        if material is None or thickness_socket(material) is None:
             cls.poll_message_set("The active material has no thickness that could vary")
             return False
         return allows_change(cls, material)
@@ -305,16 +307,16 @@ class NACRE_OT_set_thickness(_ThicknessOperator):
         near = min(chips, key=lambda chip: abs(chip.thickness - properties.thickness), default=None)
         if near is None:
             return cls.bl_description
-        socket = thickness.thickness_socket(material)
+        socket = thickness_socket(material)
         return f"{properties.thickness:.3g}{film_colours.unit(socket)}: {near.name}."
 
     @reports_errors
     def execute(self, context):
-        socket = thickness.thickness_socket(active_material(context))
+        socket = thickness_socket(active_material(context))
         if socket.is_linked:
             self.report({"ERROR"}, "The thickness varies: change its sources, or take them away")
             return {"CANCELLED"}
-        low, high = thickness.thickness_range(socket)
+        low, high = thickness_range(socket)
         socket.default_value = min(max(self.thickness, low), high)
         return {"FINISHED"}
 
@@ -382,6 +384,13 @@ class NACRE_MT_thickness(bpy.types.Menu):
         self.layout.operator("nacre.remove_thickness", text="One Thickness", icon="X")
 
 
+class NACRE_FH_thickness_image(OntoPanels, bpy.types.FileHandler):
+    bl_idname = "NACRE_FH_thickness_image"
+    bl_label = "Nacre: Thickness from Picture"
+    bl_import_operator = "nacre.open_thickness_image"
+    bl_file_extensions = ".png;.jpg;.jpeg;.tif;.tiff;.exr;.hdr;.webp;.bmp;.tga"
+
+
 CLASSES = (
     NACRE_OT_add_thickness,
     NACRE_OT_open_thickness_image,
@@ -394,4 +403,5 @@ CLASSES = (
     NACRE_OT_paint_thickness,
     NACRE_OT_stop_painting,
     NACRE_MT_thickness,
+    NACRE_FH_thickness_image,
 )

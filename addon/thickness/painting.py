@@ -9,7 +9,7 @@ import contextlib
 import bpy
 
 from ..blender.output import OutputError
-from ..viewer.probe import srgb
+from ..core.space import srgb
 
 LAYER = "Film Thickness"
 """Colour attribute that is made for painting."""

@@ -6,15 +6,15 @@ from __future__ import annotations
 
 import bpy
 
-from ..blender import wrapped
+from ..blender import icons, wrapped
 from ..films import colours as film_colours
-from ..films import swatch
 from ..materials import limits
 from ..materials.documented import explain
 from ..materials.material import interface_item
 from ..materials.subject import active_material, subject
+from ..materials.thickness import thickness_socket
 from . import heat, painting
-from .nodes import covered, feed_of, ramp_of, sources_of, spec_of, thickness_socket
+from .nodes import covered, feed_of, ramp_of, sources_of, spec_of
 from .sources import BELOW, CURVE, ON, POINT, STRENGTH, UPON, Input
 
 _COARSE = 500  # vertices
@@ -51,7 +51,7 @@ def _draw_chips(layout, material) -> None:
     """The film's colours from the least to the largest thickness; a click takes one."""
     row = layout.row(align=True)
     for chip in film_colours.chips(material):
-        icon = swatch.chip(chip.rgb)
+        icon = icons.chip(chip.rgb)
         taken = row.operator("nacre.set_thickness", text="", icon_value=icon, emboss=False)
         taken.thickness = chip.thickness
 
@@ -63,7 +63,7 @@ def _draw_paints(layout, material, index: int, node) -> None:
     for chip in film_colours.chips(material):
         if not low <= chip.thickness <= high or low == high:
             continue
-        icon = swatch.chip(chip.rgb)
+        icon = icons.chip(chip.rgb)
         loaded = row.operator("nacre.paint_thickness", text="", icon_value=icon, emboss=False)
         loaded.index, loaded.colour = index, chip.name
         loaded.value = (chip.thickness - low) / (high - low)

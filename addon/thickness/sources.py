@@ -9,8 +9,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-SOCKETS = ("thickness_nm", "thickness_scale")
-"""Sockets of materials that a source feeds, by their manifest names."""
+from ..core.faults import ForeseenError
 
 
 @dataclass(frozen=True)
@@ -332,7 +331,7 @@ def source(source_id: str) -> Source:
     return next(item for item in SOURCES if item.id == source_id)
 
 
-class ThicknessError(Exception):
+class ThicknessError(ForeseenError):
     """A source or its values do not fit; one line for each fault."""
 
 

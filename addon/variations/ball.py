@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A ball of a film in a studio, drawn from the film's own tables without a renderer: what a look is known
+"""A ball in a studio, drawn from a material's own tables without a renderer: what a look is known
 by in lists. Arrays are float32, bottom row first as Blender wants them."""
 
 from __future__ import annotations
@@ -37,9 +37,9 @@ _BOXES = (
 
 
 @dataclass(frozen=True)
-class Film:
-    """Tables over thickness (rows) and cosθ from 0 to 1 (columns), linear Rec.709. `bare` is what is
-    seen where the film does not cover, `transmittance` of what one looks through or into."""
+class Tables:
+    """Over thickness (rows) and cosθ from 0 to 1 (columns), linear Rec.709. `bare` is what is
+    seen where the layers do not cover, `transmittance` of what one looks through or into."""
 
     reflectance: np.ndarray
     bare: np.ndarray | None = None
@@ -51,7 +51,7 @@ class Finish:
     roughness: float = 0.0
     anisotropy: float = 0.0
     coverage: float = 1.0
-    base: tuple[float, float, float] | None = None  # a matt one below the film
+    base: tuple[float, float, float] | None = None  # a matt one below the layers
 
 
 @lru_cache(maxsize=4)
@@ -67,19 +67,19 @@ def sphere(size: int) -> tuple[np.ndarray, np.ndarray]:
     return np.stack([x, y, z], axis=-1).astype(np.float32), inside.astype(np.float32)
 
 
-def draw(film: Film, row: np.ndarray | float, finish: Finish, size: int) -> np.ndarray:
+def draw(tables: Tables, row: np.ndarray | float, finish: Finish, size: int) -> np.ndarray:
     """`row`: where in the tables the thickness is, from 0 to 1, of all or of each pixel."""
     normal, inside = sphere(size)
     cosine = normal[..., 2]
-    seen = _looked_up(film.reflectance, row, cosine, finish)
-    if film.bare is not None and finish.coverage < 1.0:
-        bare = _looked_up(film.bare, row, cosine, finish)
+    seen = _looked_up(tables.reflectance, row, cosine, finish)
+    if tables.bare is not None and finish.coverage < 1.0:
+        bare = _looked_up(tables.bare, row, cosine, finish)
         seen = bare + (seen - bare) * finish.coverage
-    seen = _brightened(np.maximum(seen, 0.0), film.reflectance)
+    seen = _brightened(np.maximum(seen, 0.0), tables.reflectance)
     colour = seen * _studio(_mirrored(normal), finish)[..., None]
-    backdrop = _backdrop(size, film.transmittance is not None and finish.base is None)
-    if film.transmittance is not None or finish.base is not None:
-        through = _through(film, row, cosine, finish)
+    backdrop = _backdrop(size, tables.transmittance is not None and finish.base is None)
+    if tables.transmittance is not None or finish.base is not None:
+        through = _through(tables, row, cosine, finish)
         colour = colour + _behind(normal, seen, through, backdrop, finish)
     shown = encode(_toned(colour))
     behind = encode(backdrop)
@@ -157,10 +157,10 @@ def _box(direction: np.ndarray, box: Box, blur: float, anisotropy: float) -> np.
     return mask * smooth_step(direction @ ahead, 0.0, 0.25)
 
 
-def _through(film: Film, row, cosine: np.ndarray, finish: Finish) -> np.ndarray:
-    if film.transmittance is None:
+def _through(tables: Tables, row, cosine: np.ndarray, finish: Finish) -> np.ndarray:
+    if tables.transmittance is None:
         return np.ones((*cosine.shape, 3), dtype=np.float32)
-    return np.clip(_looked_up(film.transmittance, row, cosine, finish), 0.0, 1.0)
+    return np.clip(_looked_up(tables.transmittance, row, cosine, finish), 0.0, 1.0)
 
 
 def _behind(normal, seen, through, backdrop, finish: Finish) -> np.ndarray:

@@ -13,11 +13,13 @@ from dataclasses import dataclass
 import bpy
 
 from ..blender.animation import is_animated
+from ..core.manifest import THICKNESSES
 from ..films import colours as film_colours
 from ..materials import group as groups
 from ..materials.material import group_node, input_socket, interface_item
-from ..thickness.nodes import sources_of, spec_of, thickness_range, thickness_socket
-from ..thickness.sources import BELOW, SOCKETS, STRENGTH
+from ..materials.thickness import thickness_range, thickness_socket
+from ..thickness.nodes import sources_of, spec_of
+from ..thickness.sources import BELOW, STRENGTH
 from .drawing import Knob, State, colour_ladder, like, randomised, state_of
 from .knobs import own_knob, source_knob, thickness_knob
 
@@ -48,7 +50,7 @@ def knobs(material: bpy.types.Material, *, with_colours: bool = True) -> list[Kn
     names = groups.socket_identifiers(group_node(material).node_tree)
     for name in names:
         own = input_socket(material, name)
-        if name in SOCKETS or own.type != "VALUE" or not _is_free(own):
+        if name in THICKNESSES or own.type != "VALUE" or not _is_free(own):
             continue
         found.append(own_knob(name, own.default_value, _limits(own), is_alone=socket is None))
     if socket is not None:
@@ -65,7 +67,7 @@ def _thickness_knobs(
     ladder: tuple[float, ...],
 ) -> list[Knob | None]:
     if _is_free(socket):
-        name = next(name for name in SOCKETS if input_socket(material, name) == socket)
+        name = next(name for name in THICKNESSES if input_socket(material, name) == socket)
         return [thickness_knob(name, socket.default_value, span, ladder)]
     found = []
     sources = sources_of(material)

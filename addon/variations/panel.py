@@ -6,8 +6,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..blender import wrapped
-from ..films import swatch
+from ..blender import icons, wrapped
 from ..materials.documented import OfWaveMaterial
 from ..materials.subject import active_material
 from . import drawn as variations
@@ -50,7 +49,7 @@ def _draw_one(layout, material: bpy.types.Material, index: int, state: State) ->
         text = f"{text}: {said}" if said else text
     else:
         name = f"{material.session_uid}:variation:{index}"
-        icon = swatch.drawn(name, (shown, _SIZE), ball.draw)
+        icon = icons.drawn(name, (shown, _SIZE), ball.draw)
         column.template_icon(icon_value=icon, scale=3.2)
     taken = column.operator(
         "nacre.take_variation", text=text, depress=variations.is_now(material, state)
@@ -62,6 +61,7 @@ class NACRE_PT_viewport_variations(_Variations, bpy.types.Panel):
     bl_space_type = "VIEW_3D"
     bl_region_type = "UI"
     bl_category = "Nacre"
+    bl_order = 3
 
 
 class NACRE_PT_material_variations(_Variations, bpy.types.Panel):

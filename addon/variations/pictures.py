@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The ball by which a film is known in lists, of the material as it is or of a variation."""
+"""The ball by which a material is known in lists, of the material as it is or of a variation."""
 
 from __future__ import annotations
 
@@ -10,11 +10,14 @@ from functools import lru_cache
 
 import bpy
 
-from ..films import edited as stack
+from ..films import edited
 from ..materials import group as groups
+from ..materials import recipe as recipes
 from ..materials.image import SIZE, TABLE
-from ..materials.material import group_node, input_socket, kind
-from ..thickness.nodes import below, sources_of, spec_of, thickness_range, thickness_socket
+from ..materials.material import group_node, input_socket
+from ..materials.thickness import thickness_range, thickness_socket
+from ..materials.traits import traits
+from ..thickness.nodes import below, sources_of, spec_of
 from ..thickness.sources import source
 
 _ROWS, _COLUMNS = 96, 48
@@ -28,7 +31,7 @@ class Subject:
     """All that a picture depends on."""
 
     library: str
-    recipe: stack.Recipe
+    recipe: recipes.Recipe
     tables: tuple[tuple[str, int], ...]  # names and rows
     sources: tuple[tuple[str, Values], ...]  # the lowest first
     lowest: float
@@ -39,8 +42,8 @@ class Subject:
 def subject(
     material: bpy.types.Material, state: Mapping[str, float] | None = None
 ) -> Subject | None:
-    """None of what is no film, or cannot be computed."""
-    found = stack.known(material) if kind(material) == "film" else None
+    """None of what has no layers, or cannot be computed."""
+    found = edited.known(material) if traits(material).editable_stack else None
     if found is None:
         return None
     library, wanted = found
@@ -60,22 +63,22 @@ def subject(
 
 
 def draw(shown: Subject, size: int):
-    """float32 (size, size, 4), display-referred, bottom row first. Raises ValueError where the film
+    """float32 (size, size, 4), display-referred, bottom row first. Raises ValueError where the layers
     cannot be computed."""
     from . import ball, ball_fields
 
-    film = _film(shown.library, shown.recipe, shown.tables)
+    tables = _computed(shown.library, shown.recipe, shown.tables)
     normal, _ = ball.sphere(size)
     layers = [(source(name), dict(values)) for name, values in shown.sources]
     thickness = ball_fields.thickness(layers, shown.lowest, normal)
     low, high = shown.span
     return ball.draw(
-        film, (thickness - low) / (high - low), ball.Finish(**dict(shown.finish)), size
+        tables, (thickness - low) / (high - low), ball.Finish(**dict(shown.finish)), size
     )
 
 
 @lru_cache(maxsize=16)
-def _film(_library: str, wanted: stack.Recipe, tables: tuple[tuple[str, int], ...]):
+def _computed(_library: str, wanted: recipes.Recipe, tables: tuple[tuple[str, int], ...]):
     import numpy as np
 
     import nacre
@@ -85,7 +88,7 @@ def _film(_library: str, wanted: stack.Recipe, tables: tuple[tuple[str, int], ..
     sizes = {name: (rows, _COLUMNS) for name, rows in tables}
     made = nacre.preview_tables(wanted.template, sizes, **wanted.conditions._asdict())
     found = [made.get(name) for name in _TABLES]
-    return ball.Film(*(None if t is None else np.asarray(t, dtype=np.float32) for t in found))
+    return ball.Tables(*(None if t is None else np.asarray(t, dtype=np.float32) for t in found))
 
 
 def _tables(material: bpy.types.Material) -> tuple[tuple[str, int], ...]:

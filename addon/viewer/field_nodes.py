@@ -10,11 +10,12 @@ from dataclasses import dataclass
 import bpy
 
 from ..blender.formula import Formula
+from ..core.faults import RecipeError
 from ..films.edited import stack_of
-from ..films.stack import StackError
 from ..materials.group import given_or_geometry
-from ..materials.material import group_node, input_socket, kind
-from ..thickness.nodes import thickness_range, thickness_socket
+from ..materials.material import group_node, input_socket
+from ..materials.thickness import thickness_range, thickness_socket
+from ..materials.traits import traits
 from . import lamp
 from .fields import FIELDS, Field
 
@@ -26,33 +27,33 @@ COLOUR = " Colour"
 """Ends the name of an output that is made for the eye."""
 
 _PASSED_ON = "Given "
-"""Starts the names of outputs that are added to films' groups."""
+"""Starts the names of outputs that are added to materials' groups."""
 
 
 @dataclass(frozen=True)
-class FilmThickness:
-    """How a material says how thick its film is."""
+class Thickness:
+    """How a material says how thick it is."""
 
     socket: bpy.types.NodeSocket | None  # in units of `unit_nm`; None: one thickness, `unit_nm`
     unit_nm: float
     span: tuple[float, float]  # of the socket; beyond it the tables hold their edge
 
 
-def film_thickness(material: bpy.types.Material) -> FilmThickness:
-    """Of the layer that varies, else of all layers in which light interferes; 0 where there is no
-    film."""
+def thickness_of(material: bpy.types.Material) -> Thickness:
+    """Of the layer that varies, else of all layers in which light interferes; 0 where there are
+    none."""
     socket = thickness_socket(material)
     if socket is not None and socket == input_socket(material, "thickness_nm"):
-        return FilmThickness(socket, 1.0, thickness_range(socket))
+        return Thickness(socket, 1.0, thickness_range(socket))
     total = 0.0
-    if kind(material) == "film":
+    if traits(material).editable_stack:
         try:
             layers = stack_of(material).layers
-        except (StackError, LookupError):  # made by an older version: its layers are not known
+        except (RecipeError, LookupError):  # made by an older version: its layers are not known
             layers = []
         total = sum(layer.thickness_nm for layer in layers if layer.coherent)
     span = (1.0, 1.0) if socket is None else thickness_range(socket)
-    return FilmThickness(socket, total, span)
+    return Thickness(socket, total, span)
 
 
 def wave_materials() -> list[bpy.types.Material]:
@@ -145,36 +146,36 @@ def _colour(formula: Formula, item: Field, values: dict, given: dict) -> bpy.typ
 
 
 def fields_node(material: bpy.types.Material) -> bpy.types.ShaderNodeGroup:
-    """The material's node with all fields as outputs, fed with what the film is fed with."""
+    """The material's node with all fields as outputs, fed with what its group is fed with."""
     tree = material.node_tree
     node = tree.nodes.get(NODE)
     if node is None:
         node = tree.nodes.new("ShaderNodeGroup")
         node.name = node.label = NODE
         node.node_tree = _group()
-        film = group_node(material)
-        node.location = (film.location.x, film.location.y + 420.0)
+        group = group_node(material)
+        node.location = (group.location.x, group.location.y + 420.0)
     refresh(material)
     return node
 
 
 def refresh(material: bpy.types.Material) -> None:
-    """After the film's group was replaced; does nothing where no field is looked at."""
+    """After the material's group was replaced; does nothing where no field is looked at."""
     node = material.node_tree.nodes.get(NODE)
     if node is None:
         return
-    film = film_thickness(material)
-    node.inputs["Unit (nm)"].default_value = film.unit_nm
-    node.inputs["Minimum"].default_value, node.inputs["Maximum"].default_value = film.span
+    given = thickness_of(material)
+    node.inputs["Unit (nm)"].default_value = given.unit_nm
+    node.inputs["Minimum"].default_value, node.inputs["Maximum"].default_value = given.span
     node.inputs["Thickness"].default_value = 1.0
     normal = input_socket(material, "normal")
-    for socket, name in ((film.socket, "Thickness"), (normal, "Normal")):
+    for socket, name in ((given.socket, "Thickness"), (normal, "Normal")):
         if socket is not None:
             material.node_tree.links.new(_passed_on(socket), node.inputs[name])
 
 
 def _passed_on(socket: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
-    """An output of the film's group with what an input of it gets: value, link or animation."""
+    """An output of the material's group with what an input of it gets: value, link or animation."""
     node = socket.node
     group = node.node_tree
     name = _PASSED_ON + socket.name
@@ -198,9 +199,9 @@ def drop_unused(material: bpy.types.Material) -> None:
     groups_in_use = {
         group_node(other).node_tree for other in wave_materials() if NODE in other.node_tree.nodes
     }
-    film = group_node(material)
-    if film is not None and film.node_tree not in groups_in_use:
-        interface = film.node_tree.interface
+    own = group_node(material)
+    if own is not None and own.node_tree not in groups_in_use:
+        interface = own.node_tree.interface
         for item in list(interface.items_tree):
             if item.item_type == "SOCKET" and item.name.startswith(_PASSED_ON):
                 interface.remove(item)

@@ -119,7 +119,7 @@ def _refuse_scripts(materials: Iterable[bpy.types.Material]) -> None:
 
 
 def _is_scripted(material: bpy.types.Material) -> bool:
-    fed = (fields.film_thickness(material).socket, input_socket(material, "normal"))
+    fed = (fields.thickness_of(material).socket, input_socket(material, "normal"))
     pending = [link.from_node for socket in fed if socket is not None for link in socket.links]
     seen: set[bpy.types.Node] = set()
     while pending:

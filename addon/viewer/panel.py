@@ -6,8 +6,7 @@ from __future__ import annotations
 
 import bpy
 
-from ..blender import wrapped
-from ..films import swatch
+from ..blender import icons, wrapped
 from ..films.messages import spoken
 from ..materials import scene
 from ..materials.documented import OfWaveMaterial
@@ -54,7 +53,7 @@ def _draw_spectra(layout, found) -> None:
             continue
         column = row.column(align=True)
         column.label(text=f"{name}, 380–780 nm")
-        column.template_icon(icon_value=swatch.curve(f"probe:{name}", light.spectrum), scale=6.0)
+        column.template_icon(icon_value=icons.curve(f"probe:{name}", light.spectrum), scale=6.0)
 
 
 class _Views(_Viewer):

@@ -15,13 +15,14 @@ from pathlib import Path
 import bpy
 
 from ..core.exr import read_channels
-from ..films.edited import recipe
-from ..films.stack import StackError
+from ..core.faults import RecipeError
 from ..materials.material import kind
+from ..materials.recipe import recipe
+from ..materials.traits import traits
 from . import field_nodes as fields
 from . import opaque
 from .camera import scene_aside, use_sharp_copy, use_view
-from .probe import Film, Probe, ProbeError, Reading, measure
+from .probe import Probe, ProbeError, Reading, Sample, measure
 from .viewport import Viewport
 
 _AOVS = {
@@ -121,8 +122,8 @@ def _probe(
     material = materials[number - 1]
     found = (pixel, material.name, kind(material), _reading(channels))
     try:
-        return measure(*found, _film(material))
-    except StackError as error:  # made by an older version: its layers are not known
+        return measure(*found, _sample(material))
+    except RecipeError as error:  # made by an older version: its layers are not known
         return Probe(*found, problem=str(error))
 
 
@@ -140,12 +141,12 @@ def _reading(channels: dict[str, Sequence[float]]) -> Reading:
     )
 
 
-def _film(material: bpy.types.Material) -> Film | None:
-    if kind(material) != "film":
+def _sample(material: bpy.types.Material) -> Sample | None:
+    if not traits(material).probe:
         return None
     made_from = recipe(material)
-    thickness = fields.film_thickness(material)
-    return Film(
+    thickness = fields.thickness_of(material)
+    return Sample(
         made_from.template,
         made_from.conditions,
         thickness.unit_nm,

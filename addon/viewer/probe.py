@@ -11,13 +11,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ..core.light import Conditions
+from ..core.faults import ForeseenError
+from ..core.light import FIRST_NM, LAST_NM, Conditions
+from ..core.space import srgb
 from ..films.stack import Stack, StackError, read_stack, write_template
 
-FIRST_NM, LAST_NM = 360, 830
 
-
-class ProbeError(Exception):
+class ProbeError(ForeseenError):
     """There is nothing to measure."""
 
 
@@ -34,8 +34,8 @@ class Reading:
 
 
 @dataclass(frozen=True)
-class Film:
-    """The recipe of a film, and what its socket counts in; see field_nodes.py."""
+class Sample:
+    """The recipe of a stack of layers, and what its socket counts in; see field_nodes.py."""
 
     template: str
     conditions: Conditions
@@ -68,10 +68,15 @@ class Probe:
     material: str
     kind: str
     reading: Reading
-    film: Film | None = None
+    sample: Sample | None = None
     reflected: Light | None = None
     transmitted: Light | None = None
     problem: str = ""  # why there is no spectrum
+
+    @property
+    def has_thickness(self) -> bool:
+        """Whether it is of what can be probed for it, a sample or why there is none."""
+        return self.sample is not None or bool(self.problem)
 
     @property
     def angle_deg(self) -> float:
@@ -90,7 +95,7 @@ class Probe:
             ("Normal", _numbers(at.normal, 6)),
             ("UV", _numbers(at.uv[:2], 6)),
         ]
-        if self.kind != "film":
+        if not self.has_thickness:
             result.pop(1)
         for name, light in (("Reflected", self.reflected), ("Transmitted", self.transmitted)):
             if light is not None:
@@ -114,10 +119,10 @@ class Probe:
             "uv": list(at.uv[:2]),
             "angle_deg": self.angle_deg,
             "side": "back" if at.is_back else "front",
-            "thickness_nm": at.thickness_nm if self.kind == "film" else None,
+            "thickness_nm": at.thickness_nm if self.has_thickness else None,
         }
-        if self.film is not None:
-            result |= self.film.conditions._asdict()
+        if self.sample is not None:
+            result |= self.sample.conditions._asdict()
         for name, light in (("R", self.reflected), ("T", self.transmitted)):
             if light is not None:
                 result[name] = {
@@ -140,36 +145,36 @@ class Probe:
 
 
 def measure(
-    pixel: tuple[int, int], material: str, kind: str, reading: Reading, film: Film | None
+    pixel: tuple[int, int], material: str, kind: str, reading: Reading, sample: Sample | None
 ) -> Probe:
-    """Adds spectrum and colours where the material is a film; a film that cannot be computed has its
-    problem instead."""
-    if film is None:
+    """Adds spectrum and colours where there is a sample of the material; one that cannot be computed has
+    its problem instead."""
+    if sample is None:
         return Probe(pixel, material, kind, reading)
     try:
-        lights = _lights(reading, film, material)
+        lights = _lights(reading, sample, material)
     except (StackError, ImportError, ValueError) as error:  # NacreError is a ValueError
-        return Probe(pixel, material, kind, reading, film, problem=str(error))
-    return Probe(pixel, material, kind, reading, film, *lights)
+        return Probe(pixel, material, kind, reading, sample, problem=str(error))
+    return Probe(pixel, material, kind, reading, sample, *lights)
 
 
-def _lights(reading: Reading, film: Film, name: str) -> tuple[Light, Light | None]:
+def _lights(reading: Reading, sample: Sample, name: str) -> tuple[Light, Light | None]:
     import nacre
 
-    stack = read_stack(film.template)
+    stack = read_stack(sample.template)
     lets_through = bool(stack.rest.get("surface", {}).get("transmission"))
-    template = film.template
+    template = sample.template
     if reading.is_back and lets_through and stack.ambient != stack.substrate:
         template = write_template(seen_from_behind(stack))
-    value = reading.thickness_nm / film.unit_nm if film.varies else 1.0
+    value = reading.thickness_nm / sample.unit_nm if sample.varies else 1.0
     angle = math.degrees(math.acos(min(1.0, reading.cos_theta)))
-    found = nacre.template_spectrum(template, value, angle, name, **film.conditions._asdict())
-    reflected = _light(found.reflectance, film)
-    return reflected, _light(found.transmittance, film) if lets_through else None
+    found = nacre.template_spectrum(template, value, angle, name, **sample.conditions._asdict())
+    reflected = _light(found.reflectance, sample)
+    return reflected, _light(found.transmittance, sample) if lets_through else None
 
 
 def seen_from_behind(stack: Stack) -> Stack:
-    """The same film as light meets it from inside the substrate."""
+    """The same layers as light meets them from inside the substrate."""
     last = len(stack.layers) - 1
     return Stack(
         ambient=stack.substrate,
@@ -181,18 +186,12 @@ def seen_from_behind(stack: Stack) -> Stack:
     )
 
 
-def _light(spectrum: Sequence[float], film: Film) -> Light:
+def _light(spectrum: Sequence[float], sample: Sample) -> Light:
     import nacre
 
     grid = range(FIRST_NM, LAST_NM + 1)
-    colour = nacre.spectrum_to_colour(list(grid), spectrum, **film.conditions._asdict())
+    colour = nacre.spectrum_to_colour(list(grid), spectrum, **sample.conditions._asdict())
     return Light(*(tuple(map(float, values)) for values in (spectrum, colour.XYZ, colour.rgb)))
-
-
-def srgb(linear: float) -> float:
-    """IEC 61966-2-1."""
-    held = min(max(linear, 0.0), 1.0)
-    return 12.92 * held if held <= 0.0031308 else 1.055 * held ** (1.0 / 2.4) - 0.055
 
 
 def _numbers(values: Sequence[float], digits: int) -> str:

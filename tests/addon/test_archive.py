@@ -110,4 +110,6 @@ def test_archive_without_materials_is_refused(tmp_path):
 
 
 def test_installs_through_the_operator(blender, archive):
-    blender.with_environment(NACRE_MATERIALS=None).script_process("install", archive, "test_film")
+    blender.with_environment(NACRE_MATERIALS=None).script_process(
+        "extension/install", archive, "test_film"
+    )

@@ -20,6 +20,8 @@ RELEASE = ROOT / "build" / "release"
 # Compiled materials that are small, and stay as they are.
 OPTICAL_CONSTANTS = ROOT / "cpp_tools" / "data" / "optical_constants"
 FIXTURES = ROOT / "tests" / "addon" / "fixtures"
+# One of a kind that there is not.
+OTHER_KINDS = ROOT / "tests" / "addon" / "other_kinds"
 STAGE_EXTENSION = ROOT / "cpp_tools" / "generators" / "stage_extension.py"
 
 

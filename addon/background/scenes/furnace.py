@@ -2,17 +2,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Orthographic unit sphere that fills a square frame under a uniform white world.
 
-For films and gratings the sphere is a point of radius 1, which Cycles intersects exactly: the cosine
+For a surface the sphere is a point of radius 1, which Cycles intersects exactly: the cosine
 at a pixel's centre is sqrt(1 - r^2) within 4e-4 at 128 pixels, where a mesh of 512 x 256 faces is
 off by 1.4e-3. Cycles sees a point from outside only: light that passes its front goes on to the
-world. Glass needs its far side, so there the sphere is that mesh.
+world. A body needs its far side, so there the sphere is that mesh.
 """
 
 from __future__ import annotations
 
 import bpy
 
-from ...materials.material import kind
+from ...core.traits import BODY
+from ...materials.traits import traits
 from .shape import sphere
 from .stage import Stage, place_on
 
@@ -25,12 +26,12 @@ def build(scene: bpy.types.Scene) -> Stage:
     scene.cycles.filter_width = 0.01
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
     scene.cycles.blur_glossy = 0.0
-    # Light that glass keeps inside for long would else be missing from the white.
+    # Light that a body keeps inside for long would else be missing from the white.
     for kind_of_bounce in ("max", "transmission", "glossy", "transparent_max"):
         setattr(scene.cycles, f"{kind_of_bounce}_bounces", 128)
 
     def place(material: bpy.types.Material) -> None:
-        if kind(material) == "glass":
+        if traits(material).furnace == BODY:
             place_on(sphere(scene, "Sphere", (0.0, 0.0, 0.0), 1.0, rings=256))(material)
         else:
             _add_point_sphere(scene, material)

@@ -10,10 +10,12 @@ from importlib import import_module
 
 import bpy
 
+from ...core.faults import ForeseenError
+
 _STAGES = ("furnace", "sphere", "plane", "bubble", "shaderball", "disc", "prism", "gem", "portrait")
 
 
-class StageError(Exception):
+class StageError(ForeseenError):
     """There is no such stage."""
 
 
