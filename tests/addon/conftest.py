@@ -23,6 +23,8 @@ SHARED = INSIDE.parents[1] / "blender"
 
 
 def _load_extension():
+    """As far as it works without Blender, which is out of reach here, though the environment has it."""
+    sys.modules["bpy"] = None
     spec = importlib.util.spec_from_file_location(
         "nacre_driver", ADDON / "background" / "driver.py"
     )

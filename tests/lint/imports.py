@@ -3,7 +3,8 @@
 """Which folder of Python may import which, and how many files are in one.
 
 The extension's packages import one way: LOWEST in this order, then features, which make no circle, then
-HIGHEST, then the modules beside them. What is in core works without Blender. No test imports another.
+HIGHEST, then the modules beside them. What is in core works without Blender; no code asks for a kind of
+material by its name but in that kind's package. No test imports another.
 """
 
 from __future__ import annotations
@@ -19,6 +20,7 @@ LOWEST = ("core", "blender", "materials")
 HIGHEST = ("background",)
 WITHOUT_BLENDER = ("core",)
 OF_BLENDER = {"bpy", "bmesh", "mathutils", "gpu", "bl_ui"}
+KINDS = {"film": "films", "grating": "", "glass": ""}  # and their packages, where there are any
 SOURCES = ("addon", "tests", "cpp_tools/python")
 MOST_FILES = 25
 NO_SOURCES = {"fixtures", "__pycache__"}
@@ -33,8 +35,8 @@ def parsed(path: Path) -> ast.Module:
 
 
 def imported(tree: ast.Module, package: tuple[str, ...]) -> Iterator[tuple[str, int]]:
-    """Dotted names of what a module of a package imports, wherever in it, and the lines. What is
-    imported from a package may be a module of it."""
+    """Dotted names of what a module of a package imports, wherever in it, and the lines. What is imported
+    from something may be a module of it, and is named as one."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             yield from ((alias.name, node.lineno) for alias in node.names)
@@ -82,7 +84,7 @@ def upward(found: Mapping[tuple[Package, Package], Where]) -> Iterator[str]:
 
 
 def circles(found: Iterable[tuple[Package, Package]]) -> Iterator[str]:
-    """One message for each circle that is met first."""
+    """Those that a walk along the arrows meets."""
     below: dict[Package, list[Package]] = {}
     for package, target in sorted(found):
         below.setdefault(package, []).append(target)
@@ -90,15 +92,17 @@ def circles(found: Iterable[tuple[Package, Package]]) -> Iterator[str]:
 
     def walk(package: Package, way: tuple[Package, ...]) -> Iterator[str]:
         if package in way:
-            yield " <- ".join((*way[way.index(package) :], package))
+            circle = way[way.index(package) :]
+            first = circle.index(min(circle))
+            around = (*circle[first:], *circle[:first], circle[first])
+            yield f"{EXTENSION}: packages import each other: {' <- '.join(reversed(around))}"
         elif package not in done:
             for target in below.get(package, ()):
                 yield from walk(target, (*way, package))
             done.add(package)
 
     for package in sorted(below):
-        for circle in walk(package, ()):
-            yield f"{EXTENSION}: packages import each other in a circle: {circle}"
+        yield from walk(package, ())
 
 
 def without_blender(folder: Path) -> Iterator[str]:
@@ -108,6 +112,17 @@ def without_blender(folder: Path) -> Iterator[str]:
                 if name.partition(".")[0] in OF_BLENDER:
                     where = f"{folder.name}/{path.relative_to(folder).as_posix()}:{line}"
                     yield f"{where}: {package} works without Blender (imports {name})"
+
+
+def kinds_by_name(folder: Path) -> Iterator[str]:
+    """What a material may be asked for is in its manifest, so that another kind needs no code."""
+    for path in sorted(folder.rglob("*.py")):
+        parts = path.relative_to(folder).parts
+        for node in ast.walk(parsed(path)):
+            kind = node.value if isinstance(node, ast.Constant) else None
+            if isinstance(kind, str) and kind in KINDS and parts[0] != KINDS[kind]:
+                where = f"{folder.name}/{'/'.join(parts)}:{node.lineno}"
+                yield f"{where}: {kind!r} is a kind; ask the traits of the material"
 
 
 # ---- Tests, and sizes ----------------------------------------------------------------------------
@@ -139,9 +154,9 @@ def problems(root: Path) -> list[str]:
     folder = root / EXTENSION
     found = arrows(folder)
     return [
-        *upward(found),
-        *circles(found),
+        *(list(upward(found)) or circles(found)),  # an arrow that is wrong makes circles
         *without_blender(folder),
+        *kinds_by_name(folder),
         *tests_of_tests(root),
         *large_folders(root),
     ]
