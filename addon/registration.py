@@ -5,36 +5,26 @@ are registered when all classes are."""
 
 from __future__ import annotations
 
+from importlib import import_module
+
 import bpy
 
-from .assets import feature as assets
-from .background import feature as background
-from .browser import feature as browser
-from .films import feature as films
-from .gems import feature as gems
-from .help import feature as help_
-from .lighting import feature as lighting
-from .looks import feature as looks
-from .materials import feature as materials
-from .thickness import feature as thickness
-from .variations import feature as variations
-from .viewer import feature as viewer
-
 # As their panels follow each other. Handlers of one event run in this order, too.
-FEATURES = (
-    browser,
-    lighting,
-    materials,
-    films,
-    thickness,
-    gems,
-    variations,
-    looks,
-    viewer,
-    assets,
-    help_,
-    background,
+NAMES = (
+    "browser",
+    "lighting",
+    "materials",
+    "films",
+    "thickness",
+    "gems",
+    "variations",
+    "looks",
+    "viewer",
+    "assets",
+    "help",
+    "background",
 )
+FEATURES = tuple(import_module(f".{name}.feature", __package__) for name in NAMES)
 
 
 def classes() -> list[type]:

@@ -23,7 +23,7 @@ from ..core.words import synonyms
 from ..materials import group as groups
 from ..materials import scene as scene_setup
 from ..materials.material import create_material
-from ..thickness import dress as looks
+from ..thickness.dress import dress
 from .asset import give_picture, mark, only_for_now, write
 
 NAME = "Nacre"
@@ -119,7 +119,7 @@ def _asset(compiled: CompiledMaterial, variant: Variant) -> bpy.types.Material:
     material = create_material(compiled, form)
     material.name = variant.name
     if not variant.is_even:
-        looks.dress(material, compiled)
+        dress(material, compiled)
     data = mark(
         material,
         category=compiled.category,

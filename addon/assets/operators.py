@@ -12,7 +12,7 @@ from ..blender import asset_libraries
 from ..materials.guard import reports_errors
 from ..materials.preferences import preferences
 from . import build as assets
-from . import process as asset_build
+from . import process
 
 
 class NACRE_OT_add_asset_library(bpy.types.Operator):
@@ -29,7 +29,7 @@ class NACRE_OT_add_asset_library(bpy.types.Operator):
         if (kept := preferences()) is not None:
             kept.keep_assets = True
         if not bpy.app.background:
-            asset_build.begin(folder)
+            process.begin(folder)
             return {"FINISHED"}
         count, left_out = assets.build(folder)
         assets.show(folder)
@@ -70,7 +70,7 @@ class NACRE_OT_open_assets(bpy.types.Operator):
     def execute(self, context):
         area = _place_for_assets(context.window.screen)
         area.ui_type = "ASSETS"
-        asset_build.dismiss()
+        process.dismiss()
         # A browser knows its libraries when it has been drawn.
         bpy.app.timers.register(partial(_choose_library, area), first_interval=0.2)
         return {"FINISHED"}
@@ -100,7 +100,7 @@ class NACRE_OT_dismiss(bpy.types.Operator):
     bl_options = {"INTERNAL"}
 
     def execute(self, _context):
-        asset_build.dismiss()
+        process.dismiss()
         return {"FINISHED"}
 
 

@@ -6,18 +6,18 @@ from __future__ import annotations
 
 from ..blender import asset_libraries, wrapped
 from . import build as assets
-from . import process as asset_build
+from . import process
 
 
 def draw_asset_build(layout) -> None:
     """Nothing where nothing is made."""
-    progress = asset_build.progress()
+    progress = process.progress()
     if progress is not None:
         done, count = progress
         text = f"Asset library: {done} of {count}" if count else "Asset library: starting"
         layout.progress(factor=done / max(count, 1), text=text)
         return
-    result = asset_build.result()
+    result = process.result()
     if not result:
         return
     box = layout.box()

@@ -15,8 +15,8 @@ from ..materials.guard import must_be_local, reports_errors
 from ..materials.material import create_material, discard_material
 from ..materials.properties import FORMS
 from ..materials.takers import chosen_objects, named, put, takers, takes_materials
-from ..thickness import dress as looks
 from ..thickness import nodes as thickness
+from ..thickness.dress import dress
 from . import chosen, thumbnails
 
 # Blender keeps no reference to the texts of a computed list of items.
@@ -96,7 +96,7 @@ class NACRE_OT_assign_material(bpy.types.Operator):
         targets = takers(context)
         try:
             if not variant.is_even:
-                looks.dress(material, compiled)
+                dress(material, compiled)
             for target in targets:
                 put(target, material, self.new_slot)
         except Exception:

@@ -115,7 +115,7 @@ def read(text: str) -> Traits | None:
 def assumed(template: str, outputs: tuple[str, ...] = (), is_body: bool = False) -> Traits:
     """Where nothing is said, as by older versions: what the template tells. Whose template has layers is
     edited and probed as a stack; the first output is a surface."""
-    layered = _has_layers(template)
+    layered = _is_layered(template)
     return Traits(
         editable_stack=layered,
         probe=layered,
@@ -125,9 +125,13 @@ def assumed(template: str, outputs: tuple[str, ...] = (), is_body: bool = False)
     )
 
 
-def _has_layers(template: str) -> bool:
+def has_layers(template: Mapping[str, Any]) -> bool:
+    """Of one that was parsed."""
+    return "ambient" in template and "substrate" in template
+
+
+def _is_layered(template: str) -> bool:
     try:
-        data = tomllib.loads(template)
+        return has_layers(tomllib.loads(template))
     except tomllib.TOMLDecodeError:
         return False
-    return "ambient" in data and "substrate" in data

@@ -13,6 +13,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from ..core.faults import RecipeError
+from ..core.traits import has_layers
 
 MOST_LAYERS = 64
 """cpp_tools/include/nacre/optics/multilayer.h says so too, and checks."""
@@ -71,7 +72,7 @@ def read_stack(text: str) -> Stack:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise StackError(f"not a template: {error}") from error
-    if "ambient" not in data or "substrate" not in data:
+    if not has_layers(data):
         raise StackError("not the template of a film: it has no [ambient] and [substrate]")
     try:
         return _read(data)

@@ -19,7 +19,7 @@ from ..films import edited
 from ..materials import group as groups
 from ..materials import schema
 from ..materials.material import belongs_here, group_node, kind, missing_tables
-from ..variations import pictures as ball
+from ..variations import pictures
 from ..viewer import views
 from ..viewer.fields import SHADED
 
@@ -167,11 +167,11 @@ def _mark(copy: bpy.types.Material, material: bpy.types.Material, words: str) ->
 
 def _give_picture(copy: bpy.types.Material, material: bpy.types.Material) -> None:
     """What has layers is drawn; others have the picture of the library's material."""
-    shown = ball.subject(material)
+    shown = pictures.subject(material)
     preview = copy.preview_ensure()
     if shown is not None:
         with contextlib.suppress(ValueError):  # an edit that cannot be computed
-            pixels = ball.draw(shown, PICTURE)
+            pixels = pictures.draw(shown, PICTURE)
             preview.image_size = PICTURE, PICTURE
             preview.image_pixels_float.foreach_set(pixels.ravel())
             return

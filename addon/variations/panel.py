@@ -10,7 +10,7 @@ from ..blender import icons, wrapped
 from ..materials.documented import OfWaveMaterial
 from ..materials.subject import active_material
 from . import drawn as variations
-from . import pictures as ball
+from . import pictures
 from .drawing import State, words
 
 _SIZE = 96  # pixels of a picture
@@ -41,7 +41,7 @@ class _Variations(OfWaveMaterial):
 
 
 def _draw_one(layout, material: bpy.types.Material, index: int, state: State) -> None:
-    shown = ball.subject(material, state)
+    shown = pictures.subject(material, state)
     column = layout.column(align=True)
     text = "Back" if index == 0 else str(index)
     if shown is None:
@@ -49,7 +49,7 @@ def _draw_one(layout, material: bpy.types.Material, index: int, state: State) ->
         text = f"{text}: {said}" if said else text
     else:
         name = f"{material.session_uid}:variation:{index}"
-        icon = icons.drawn(name, (shown, _SIZE), ball.draw)
+        icon = icons.drawn(name, (shown, _SIZE), pictures.draw)
         column.template_icon(icon_value=icon, scale=3.2)
     taken = column.operator(
         "nacre.take_variation", text=text, depress=variations.is_now(material, state)

@@ -16,7 +16,7 @@ import bpy
 
 from ..materials.material import input_socket
 from ..materials.script import has_osl
-from . import field_nodes as fields
+from . import field_nodes
 from .fields import field
 from .probe import ProbeError
 
@@ -34,7 +34,7 @@ def is_vector(name: str) -> bool:
 def materials_as_passes(aovs: Mapping[str, str]) -> Iterator[list[bpy.types.Material]]:
     """Yields the wave materials in the order of their numbers. `aovs`: by what they hold, fields or
     the above, the names of the passes."""
-    materials = fields.wave_materials()
+    materials = field_nodes.wave_materials()
     try:
         for number, material in enumerate(materials, start=1):
             _instrument(material, number, aovs)
@@ -65,7 +65,7 @@ def set_up(aside: bpy.types.Scene, layer: bpy.types.ViewLayer, aovs: Mapping[str
 
 def _instrument(material: bpy.types.Material, number: int, aovs: Mapping[str, str]) -> None:
     tree = material.node_tree
-    node = fields.fields_node(material)
+    node = field_nodes.fields_node(material)
     geometry = _add(tree, "ShaderNodeNewGeometry")
     besides = {POINT: geometry.outputs["Position"], BACK: geometry.outputs["Backfacing"]}
     for name, aov_name in aovs.items():
@@ -106,7 +106,7 @@ def _restore(material: bpy.types.Material) -> None:
         tree.nodes.remove(node)
     if previous in tree.nodes:
         tree.nodes[previous].is_active_output = True
-    fields.drop_unused(material)
+    field_nodes.drop_unused(material)
 
 
 def _refuse_scripts(materials: Iterable[bpy.types.Material]) -> None:
@@ -119,7 +119,7 @@ def _refuse_scripts(materials: Iterable[bpy.types.Material]) -> None:
 
 
 def _is_scripted(material: bpy.types.Material) -> bool:
-    fed = (fields.thickness_of(material).socket, input_socket(material, "normal"))
+    fed = (field_nodes.thickness_of(material).socket, input_socket(material, "normal"))
     pending = [link.from_node for socket in fed if socket is not None for link in socket.links]
     seen: set[bpy.types.Node] = set()
     while pending:

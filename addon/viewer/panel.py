@@ -10,8 +10,7 @@ from ..blender import icons, wrapped
 from ..films.messages import spoken
 from ..materials import scene
 from ..materials.documented import OfWaveMaterial
-from . import passes
-from . import probe_operators as probe
+from . import passes, probe_operators
 
 
 class _Viewer(OfWaveMaterial):
@@ -27,7 +26,7 @@ class _Probe(_Viewer):
         row = layout.row(align=True)
         row.operator_context = "INVOKE_DEFAULT"
         row.operator("nacre.probe", text="Probe a Point", icon="EYEDROPPER")
-        found = probe.last()
+        found = probe_operators.last()
         if found is None:
             return
         row.operator("nacre.copy_probe", text="", icon="COPYDOWN").what = "text"

@@ -9,8 +9,7 @@ from collections.abc import Iterable, Iterator
 
 import bpy
 
-from . import field_nodes as fields
-from . import lamp, opaque
+from . import field_nodes, lamp, opaque
 from .camera import scene_aside
 from .fields import FIELDS, Field
 
@@ -34,10 +33,10 @@ def add(scene: bpy.types.Scene, ids: Iterable[str]) -> int:
         if _THRESHOLD not in layer:
             layer[_THRESHOLD] = layer.pass_alpha_threshold
         layer.pass_alpha_threshold = 0.0
-    materials = fields.wave_materials()
+    materials = field_nodes.wave_materials()
     lamp.rebuild(scene)
     for material in materials:
-        node = fields.fields_node(material)
+        node = field_nodes.fields_node(material)
         for item in wanted:
             _output(material, item, node.outputs[item.name])
     return len(materials)
@@ -52,11 +51,11 @@ def remove(scene: bpy.types.Scene) -> None:
         if _THRESHOLD in layer:
             layer.pass_alpha_threshold = layer[_THRESHOLD]
             del layer[_THRESHOLD]
-    for material in fields.wave_materials():
+    for material in field_nodes.wave_materials():
         tree = material.node_tree
         for node in [node for node in tree.nodes if node.name.startswith(NODE)]:
             tree.nodes.remove(node)
-        fields.drop_unused(material)
+        field_nodes.drop_unused(material)
 
 
 @contextlib.contextmanager

@@ -19,8 +19,7 @@ from ..core.faults import RecipeError
 from ..materials.material import kind
 from ..materials.recipe import recipe
 from ..materials.traits import traits
-from . import field_nodes as fields
-from . import opaque
+from . import field_nodes, opaque
 from .camera import scene_aside, use_sharp_copy, use_view
 from .probe import Probe, ProbeError, Reading, Sample, measure
 from .viewport import Viewport
@@ -145,7 +144,7 @@ def _sample(material: bpy.types.Material) -> Sample | None:
     if not traits(material).probe:
         return None
     made_from = recipe(material)
-    thickness = fields.thickness_of(material)
+    thickness = field_nodes.thickness_of(material)
     return Sample(
         made_from.template,
         made_from.conditions,

@@ -13,8 +13,7 @@ from bpy.app.handlers import persistent
 
 from ..gems import cut_stone
 from ..materials.material import AFTER_REBUILD, group_node
-from . import field_nodes as fields
-from . import lamp
+from . import field_nodes, lamp
 from .fields import SHADED, field
 
 EMISSION, OUTPUT = "Nacre View", "Nacre View Output"
@@ -42,7 +41,7 @@ def show(scene: bpy.types.Scene, field_id: str) -> None:
                 _take_back(material)
         return
     lamp.rebuild(scene)
-    for material in fields.wave_materials():
+    for material in field_nodes.wave_materials():
         _put(material, field_id, _TARGETS.get(scene.render.engine, "EEVEE"))
 
 
@@ -74,11 +73,11 @@ def _put(material: bpy.types.Material, field_id: str, engine: str) -> None:
         tree.links.new(emission.outputs[0], output.inputs["Surface"])
     output[_SHOWN] = field_id
     output.is_active_output = True
-    node = fields.fields_node(material)
+    node = field_nodes.fields_node(material)
     emission = tree.nodes[EMISSION]
     emission.location = (node.location.x + 240.0, node.location.y + 160.0)
     output.location = (emission.location.x + 200.0, emission.location.y)
-    colour = node.outputs[field(field_id).name + fields.COLOUR]
+    colour = node.outputs[field(field_id).name + field_nodes.COLOUR]
     tree.links.new(colour, emission.inputs["Color"])
     if stone is not None:  # for EEVEE alone, it goes before one for all
         tree.links.new(emission.outputs[0], stone.inputs["Surface"])
@@ -97,7 +96,7 @@ def _take_back(material: bpy.types.Material) -> None:
     if previous is not None:
         previous.is_active_output = True
     cut_stone.show(material, group_node(material))
-    fields.drop_unused(material)
+    field_nodes.drop_unused(material)
 
 
 @persistent
@@ -120,13 +119,13 @@ _HANDLERS = (
 
 
 def register() -> None:
-    AFTER_REBUILD.append(fields.refresh)
+    AFTER_REBUILD.append(field_nodes.refresh)
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).append(handler)
 
 
 def unregister() -> None:
-    AFTER_REBUILD.remove(fields.refresh)
+    AFTER_REBUILD.remove(field_nodes.refresh)
     for name, handler in _HANDLERS:
         getattr(bpy.app.handlers, name).remove(handler)
     if hasattr(bpy.data, "materials"):  # not while Blender starts or ends

@@ -6,7 +6,8 @@ from __future__ import annotations
 
 import bpy
 
-from jobs.extension import load
+from jobs.extension import load, module
+from support.paths import ADDON
 
 
 def snapshot() -> dict[str, set[str]]:
@@ -33,6 +34,8 @@ def snapshot() -> dict[str, set[str]]:
 
 
 extension = load()
+known = {path.parent.name for path in ADDON.glob("*/feature.py")}
+assert set(module("registration").NAMES) == known
 extension.register()  # what Blender itself makes once, on first use, is not ours
 extension.unregister()
 before = snapshot()
