@@ -1,129 +1,47 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the extension adds to Blender, in the order in which it is added."""
+"""What the extension adds to Blender: each of its features has a module `feature` with CLASSES, and PARTS that
+are registered when all classes are."""
 
 from __future__ import annotations
 
+from importlib import import_module
+
 import bpy
 
-from . import properties
-from .nodes import (
-    asset_build,
-    asset_libraries,
-    fallback,
-    film_colours,
-    follow,
-    limits,
-    live,
-    my_looks,
-    schema,
-    thumbnails,
-    variations,
-    views,
+# As their panels follow each other. Handlers of one event run in this order, too.
+NAMES = (
+    "browser",
+    "lighting",
+    "materials",
+    "films",
+    "thickness",
+    "gems",
+    "variations",
+    "looks",
+    "viewer",
+    "assets",
+    "help",
+    "background",
 )
-from .nodes import assets as asset_library
-from .operators import (
-    assets,
-    assign,
-    fix,
-    lighting,
-    looks,
-    manual,
-    passes,
-    picture,
-    probe,
-    stack,
-    thickness,
-)
-from .operators import variations as variation_operators
-from .ui import (
-    browser,
-    drops,
-    looks_panel,
-    menus,
-    panels,
-    preferences,
-    stack_panel,
-    swatch,
-    variations_panel,
-    viewer_panel,
-)
+FEATURES = tuple(import_module(f".{name}.feature", __package__) for name in NAMES)
 
-_CLASSES = (
-    *properties.CLASSES,
-    preferences.NACRE_preferences,
-    *assets.CLASSES,
-    *assign.CLASSES,
-    *fix.CLASSES,
-    *lighting.CLASSES,
-    *manual.CLASSES,
-    *thickness.CLASSES,
-    *stack.CLASSES,
-    *looks.CLASSES,
-    *variation_operators.CLASSES,
-    *passes.CLASSES,
-    *picture.CLASSES,
-    *probe.CLASSES,
-    *browser.CLASSES,
-    *panels.CLASSES,
-    *stack_panel.CLASSES,
-    *variations_panel.CLASSES,
-    *looks_panel.CLASSES,
-    *menus.CLASSES,
-    *drops.CLASSES,
-    *viewer_panel.CLASSES,
-)
 
-_commands: list[object] = []
+def classes() -> list[type]:
+    return [cls for feature in FEATURES for cls in feature.CLASSES]
 
 
 def register() -> None:
-    for cls in _CLASSES:
+    for cls in classes():
         bpy.utils.register_class(cls)
-    properties.register()
-    schema.register()
-    live.register()
-    views.register()
-    fallback.register()
-    follow.register()
-    film_colours.register()
-    limits.register()
-    asset_build.register()
-    thumbnails.register()
-    my_looks.register()
-    menus.add_to_menus()
-    bpy.utils.register_manual_map(manual.manual_map)
-    if asset_library.is_built(asset_library.default_folder()):
-        asset_library.show(asset_library.default_folder())
-    _commands.append(bpy.utils.register_cli_command("nacre", _run_command))
+    for feature in FEATURES:
+        for part in feature.PARTS:
+            part.register()
 
 
 def unregister() -> None:
-    while _commands:
-        bpy.utils.unregister_cli_command(_commands.pop())
-    bpy.utils.unregister_manual_map(manual.manual_map)
-    menus.remove_from_menus()
-    asset_build.unregister()
-    asset_libraries.remove(asset_library.default_folder())
-    limits.unregister()
-    film_colours.unregister()
-    follow.unregister()
-    fallback.unregister()
-    views.unregister()
-    live.unregister()
-    schema.unregister()
-    swatch.unregister()
-    my_looks.unregister()
-    variations.forget()
-    thumbnails.unregister()
-    probe.forget()
-    properties.unregister()
-    for cls in reversed(_CLASSES):
+    for feature in reversed(FEATURES):
+        for part in reversed(feature.PARTS):
+            part.unregister()
+    for cls in reversed(classes()):
         bpy.utils.unregister_class(cls)
-
-
-def _run_command(argv: list[str]) -> int:
-    """`blender --command nacre …`; a scene is rendered without the modules being loaded before."""
-    from . import render
-
-    return render.main(argv)

@@ -12,6 +12,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from .faults import ForeseenError
+
 Attributes = dict[str, bytes]
 
 _MULTI_PART = 0x1000
@@ -20,7 +22,7 @@ _LINES = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256}
 _FLOAT = 2
 
 
-class ExrError(Exception):
+class ExrError(ForeseenError):
     """A file is not what is read here."""
 
 

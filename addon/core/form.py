@@ -6,12 +6,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from .faults import ForeseenError
 from .manifest import CompiledMaterial
 
 AUTO, OSL, NODES = "auto", "osl", "nodes"
 
 
-class FormError(Exception):
+class FormError(ForeseenError):
     """The material has no form that works here."""
 
 

@@ -46,6 +46,17 @@ class Graph:
     def lets_light_straight_through(self) -> bool:
         return any(node.type == "ShaderNodeBsdfTransparent" for node in self.nodes)
 
+    @property
+    def refracts_light(self) -> bool:
+        bodies = ("ShaderNodeBsdfGlass", "ShaderNodeBsdfRefraction")
+        return any(node.type in bodies for node in self.nodes)
+
+    @property
+    def outputs(self) -> tuple[str, ...]:
+        """Of the group, in the order in which they are first fed."""
+        fed = (target.socket for _, target in self.links if target.node == GROUP_OUTPUT)
+        return tuple(dict.fromkeys(fed))
+
     def depths(self) -> dict[str, int]:
         """Columns for drawing: the longest way from each node to the group's output, which has 0."""
         into: dict[str, list[str]] = {}

@@ -10,6 +10,7 @@ from pathlib import Path
 
 from .looks import look_of
 from .manifest import FORMS, CompiledMaterial, ManifestError, load_folder, read_manifest
+from .traits import UNSAID, Traits, of_header
 
 ENVIRONMENT = "NACRE_MATERIALS"
 
@@ -26,6 +27,7 @@ class Entry:
     tags: tuple[str, ...] = ()
     forms: tuple[str, ...] = FORMS
     varies: bool = False  # whether its picture shows a thickness that does
+    traits: Traits = UNSAID
 
 
 class Library:
@@ -39,7 +41,7 @@ class Library:
     @classmethod
     def default(cls) -> Library:
         """The same one, manifests read once, until a manifest changes: panels ask at each redraw."""
-        bundled = Path(__file__).resolve().parent.parent / "materials"
+        bundled = Path(__file__).resolve().parents[1] / "compiled"
         root = Path(os.environ.get(ENVIRONMENT) or bundled)
         kept = Library._default
         if kept is None or kept.root != root or kept._stamps() != kept._stamp:
@@ -101,4 +103,5 @@ def _entry(folder: Path) -> Entry | None:
         tags=tuple(map(str, data.get("tags") or ())),
         forms=tuple(form for form in FORMS if data["graphs"].get(form) is not None),
         varies=bool((look := look_of(data)) and look.thickness),
+        traits=of_header(data),
     )

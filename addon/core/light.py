@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Light and observer that a film's colours are computed for."""
+"""Light and observer that colours are computed for, and the wavelengths of spectra."""
 
 from __future__ import annotations
 
@@ -14,6 +14,9 @@ class Conditions(NamedTuple):
     observer: str = "cie1931"
     adaptation: str = "bradford"
 
+
+FIRST_NM, LAST_NM = 360, 830
+"""Of spectra, in steps of 1 nm."""
 
 USUAL = Conditions()
 ADAPTATIONS = ("bradford", "cat16", "none")

@@ -11,21 +11,23 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from .faults import ForeseenError
 from .graph import Graph, parse_graph
 from .light import USUAL, Conditions, conditions_problem
 from .looks import PLAIN, Look, look_of
 from .space import REC709, Matrix, SpaceError, parse
+from .traits import UNSAID, Traits, assumed, parse_traits
 
 SCHEMA = 1
-KINDS = ("film", "grating", "glass")
 FORMS = ("osl", "nodes")
 SOCKET_TYPES = ("float", "int", "color", "normal", "tangent")
 DIRECTIONS = ("normal", "tangent")  # left to the geometry where nothing is plugged in
-GEM = "gem"
-"""The tag of what stones are cut from."""
+THICKNESSES = ("thickness_nm", "thickness_scale")
+"""Sockets that say how thick a material is."""
 _TEXT_FIELDS = (
     "id",
     "name",
+    "kind",
     "category",
     "description",
     "source",
@@ -34,7 +36,7 @@ _TEXT_FIELDS = (
 )
 
 
-class ManifestError(Exception):
+class ManifestError(ForeseenError):
     """A compiled material is not usable; the message has one line for each fault."""
 
 
@@ -64,7 +66,7 @@ class Table:
 class CompiledMaterial:
     id: str
     name: str
-    kind: str
+    kind: str  # a word that it is found by; what it can be asked for is in the traits
     category: str
     description: str
     source: str
@@ -80,9 +82,10 @@ class CompiledMaterial:
     osl: str
     bytecode: str | None
     digest: str  # of manifest and shader: what makes two node groups the same
+    traits: Traits
     to_xyz_d65: Matrix = REC709  # of the space that its colours are in
     notes: tuple[str, ...] = ()  # of media that are held where their data end
-    conditions: Conditions = USUAL  # of films
+    conditions: Conditions = USUAL
     look: Look = PLAIN
     directory: Path | None = None
     texels: Mapping[str, Any] = field(default_factory=dict)  # float32 (H, W, 3), row 0 on top
@@ -92,9 +95,9 @@ class CompiledMaterial:
         return tuple(form for form in FORMS if self.graphs.get(form) is not None)
 
     @property
-    def is_gem(self) -> bool:
-        """Whether it is made for closed bodies with facets."""
-        return GEM in self.tags
+    def thickness(self) -> Socket | None:
+        """What says how thick it is, where that can vary."""
+        return next(filter(None, map(self.socket, THICKNESSES)), None)
 
     def socket(self, name: str) -> Socket | None:
         return next((socket for socket in self.sockets if socket.name == name), None)
@@ -161,10 +164,6 @@ def _require_header(data: Any, where: str) -> None:
         for name in _TEXT_FIELDS
         if not isinstance(data.get(name), str)
     ]
-    if data.get("kind") not in KINDS:
-        problems.append(
-            f"{where}: kind: must be one of {', '.join(KINDS)} (got {data.get('kind')!r})"
-        )
     problems += [
         f"{where}: {name}: must be a list of objects (got {data.get(name)!r})"
         for name in ("sockets", "tables")
@@ -195,6 +194,7 @@ def _material(
     to_xyz_d65 = _parse_space(data, where, problems)
     notes = _parse_notes(data, where, problems)
     conditions = _parse_conditions(data, where, problems)
+    traits = _parse_traits(data, where, graphs, problems)
     look = look_of(data)
     if look is None:
         problems.append(
@@ -223,6 +223,7 @@ def _material(
         osl=osl,
         bytecode=bytecode,
         digest=hashlib.sha256(canonical.encode()).hexdigest(),
+        traits=traits,
         to_xyz_d65=to_xyz_d65,
         notes=notes,
         conditions=conditions,
@@ -252,6 +253,21 @@ def _parse_notes(data: dict[str, Any], where: str, problems: list[str]) -> tuple
         return tuple(ends["note"] for ends in held)
     problems.append(f"{where}: held_ends: must be a list of objects with a note (got {held!r})")
     return ()
+
+
+def _parse_traits(
+    data: dict[str, Any], where: str, graphs: Mapping[str, Graph | None], problems: list[str]
+) -> Traits:
+    """Older tools say nothing of them."""
+    made = [graph for graph in graphs.values() if graph is not None]
+    if "traits" in data:
+        outputs = [graph.outputs for graph in made]
+        return parse_traits(data["traits"], f"{where}: traits", outputs, problems) or UNSAID
+    return assumed(
+        str(data.get("template", "")),
+        made[0].outputs if made else (),
+        any(graph.refracts_light for graph in made),
+    )
 
 
 def _parse_conditions(data: dict[str, Any], where: str, problems: list[str]) -> Conditions:

@@ -8,6 +8,7 @@ import hashlib
 import re
 from dataclasses import dataclass
 
+from .faults import ForeseenError
 from .space import Matrix, converted, dual
 
 # A string may hold whatever else has a meaning here, a quote after a backslash among it.
@@ -29,7 +30,7 @@ _SOURCE_FILE = re.compile(r'[ ]?%filename\{".*?"\}', re.DOTALL)
 DUALS = ("tint_basis",)
 
 
-class OsoError(Exception):
+class OsoError(ForeseenError):
     """The text is not a compiled OSL shader."""
 
 

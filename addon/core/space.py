@@ -8,6 +8,8 @@ import math
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from .faults import ForeseenError
+
 Row = tuple[float, float, float]
 Matrix = tuple[Row, Row, Row]  # rows
 
@@ -22,7 +24,7 @@ REC709: Matrix = (
 _SAME = 1e-4
 
 
-class SpaceError(Exception):
+class SpaceError(ForeseenError):
     """What should be a colour space is none."""
 
 
@@ -93,3 +95,9 @@ def _determinant(m: Matrix) -> float:
 def _inverse(m: Matrix) -> Matrix:
     determinant = _determinant(m)
     return tuple(tuple(_cofactor(m, j, i) / determinant for j in range(3)) for i in range(3))
+
+
+def srgb(linear: float) -> float:
+    """IEC 61966-2-1."""
+    held = min(max(linear, 0.0), 1.0)
+    return 12.92 * held if held <= 0.0031308 else 1.055 * held ** (1.0 / 2.4) - 0.055

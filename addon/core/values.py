@@ -8,10 +8,11 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
+from .faults import ForeseenError
 from .manifest import DIRECTIONS, CompiledMaterial, Socket
 
 
-class AssignmentError(Exception):
+class AssignmentError(ForeseenError):
     """A value does not fit; one line for each fault."""
 
 

@@ -28,7 +28,9 @@ FILMS = {"one": "anodised_titanium", "sixteen": "jewel_beetle"}
 
 
 def load_extension(folder: Path) -> None:
-    spec = importlib.util.spec_from_file_location("nacre_driver", folder / "driver.py")
+    spec = importlib.util.spec_from_file_location(
+        "nacre_driver", folder / "background" / "driver.py"
+    )
     driver = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(driver)
     driver.load_package(PACKAGE)
@@ -57,9 +59,9 @@ def blender_film(node_type: str) -> bpy.types.Material | None:
 
 def nacre_film(material_id: str, form: str, exact: int = 0) -> bpy.types.Material:
     compiled = extension("core.library").Library.default().load(material_id)
-    material = extension("nodes.material").create_material(compiled, form)
+    material = extension("materials.material").create_material(compiled, form)
     values = {"roughness": ROUGHNESS, "exact_rough": exact}
-    extension("nodes.material").set_values(material, values)
+    extension("materials.material").set_values(material, values)
     return material
 
 
@@ -81,14 +83,16 @@ def variants() -> dict[tuple[str, str], bpy.types.Material]:
 
 
 def prepare(options: argparse.Namespace) -> tuple[bpy.types.Scene, Callable]:
-    scene = extension("scenes").build_stage("furnace").scene
-    ball = extension("scenes.shape").sphere(scene, "Ball", (0.0, 0.0, 0.0), 1.0, rings=128)
+    scene = extension("background.scenes").build_stage("furnace").scene
+    ball = extension("background.scenes.shape").sphere(
+        scene, "Ball", (0.0, 0.0, 0.0), 1.0, rings=128
+    )
     scene.render.resolution_x = scene.render.resolution_y = options.side
     scene.render.resolution_percentage = 100
     scene.render.threads_mode, scene.render.threads = "FIXED", options.threads
     scene.cycles.use_adaptive_sampling = False
     scene.cycles.use_denoising = False
-    return scene, extension("scenes.stage").place_on(ball)
+    return scene, extension("background.scenes.stage").place_on(ball)
 
 
 def cpu_seconds(scene: bpy.types.Scene, samples: int) -> float:

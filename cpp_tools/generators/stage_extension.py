@@ -61,9 +61,9 @@ def filled_manifest(text: str, version: str, wheels: list[Path]) -> str:
 
 
 def stage(folder: Path, wheels: list[Path], materials: Path) -> None:
-    ignored = shutil.ignore_patterns("__pycache__", "*.pyc", "materials", "wheels", "manual")
+    ignored = shutil.ignore_patterns("__pycache__", "*.pyc", "compiled", "wheels", "manual")
     shutil.copytree(ROOT / "addon", folder, ignore=ignored)
-    shutil.copytree(materials, folder / "materials")
+    shutil.copytree(materials, folder / "compiled")
     write_manual(folder / "manual")
     (folder / "wheels").mkdir()
     for wheel in wheels:

@@ -4,7 +4,10 @@
 
 from __future__ import annotations
 
+import importlib
 import importlib.util
+import json
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -16,10 +19,15 @@ from support.paths import ADDON, FIXTURES, STAGE_EXTENSION, TEMPLATES, materials
 from support.tool import nacre
 
 INSIDE = Path(__file__).resolve().parent / "inside"
+SHARED = INSIDE.parents[1] / "blender"
 
 
 def _load_extension():
-    spec = importlib.util.spec_from_file_location("nacre_driver", ADDON / "driver.py")
+    """As far as it works without Blender, which is out of reach here, though the environment has it."""
+    sys.modules["bpy"] = None
+    spec = importlib.util.spec_from_file_location(
+        "nacre_driver", ADDON / "background" / "driver.py"
+    )
     driver = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(driver)
     return driver.load_package()
@@ -32,12 +40,13 @@ class ExtensionBlender(Blender):
     """`folder` is the test's own: what is found there was left by what it tests."""
 
     def script(self, name: str, *arguments: object) -> str:
-        """Runs inside/NAME.py, whose own asserts decide; returns what it printed."""
+        """Runs inside/FAMILY/NAME.py, whose own asserts decide; returns what it printed."""
         return super().script(INSIDE / f"{name}.py", *arguments)
 
     def script_process(self, name: str, *arguments: object) -> None:
-        """The same in a process of its own."""
-        done = self.process(INSIDE / f"{name}.py", *arguments)
+        """The same in a process of its own, which finds what scripts share."""
+        own = self.with_environment(PYTHONPATH=str(SHARED))
+        done = own.process(INSIDE / f"{name}.py", *arguments)
         assert done.returncode == 0, f"{done.stdout[-4000:]}\n{done.stderr[-8000:]}"
 
     def with_materials(self, *names: str) -> ExtensionBlender:
@@ -109,3 +118,34 @@ def archive(blenders, tmp_path_factory) -> Path:
     )  # fmt: skip
     assert done.returncode == 0, done.stdout + done.stderr
     return path
+
+
+@pytest.fixture
+def film():
+    """A compiled material; without Blender, as the two below."""
+    return _manifests().load_folder(FIXTURES / "test_film")
+
+
+@pytest.fixture
+def grating():
+    return _manifests().load_folder(FIXTURES / "test_grating")
+
+
+@pytest.fixture
+def edited(tmp_path):
+    """Loads the film after a change to its manifest."""
+
+    def load(change):
+        folder = tmp_path / "test_film"
+        shutil.copytree(FIXTURES / "test_film", folder)
+        path = folder / "test_film.json"
+        data = json.loads(path.read_text("utf-8"))
+        change(data)
+        path.write_text(json.dumps(data), "utf-8")
+        return _manifests().load_folder(folder)
+
+    return load
+
+
+def _manifests():
+    return importlib.import_module("nacre_extension.core.manifest")

@@ -27,8 +27,8 @@ def test_archive_carries_the_version_and_the_materials(archive):
     assert manifest["blender_version_min"] == "4.2.0"
     assert {
         "__init__.py",
-        "render.py",
-        "materials/test_film/test_film_R.exr",
+        "background/render.py",
+        "compiled/test_film/test_film_R.exr",
         "manual/blender.html",
     } <= names
     assert not any("__pycache__" in name for name in names)
@@ -110,4 +110,6 @@ def test_archive_without_materials_is_refused(tmp_path):
 
 
 def test_installs_through_the_operator(blender, archive):
-    blender.with_environment(NACRE_MATERIALS=None).script_process("install", archive, "test_film")
+    blender.with_environment(NACRE_MATERIALS=None).script_process(
+        "extension/install", archive, "test_film"
+    )

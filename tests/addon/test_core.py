@@ -10,11 +10,9 @@ import shutil
 
 import numpy as np
 import pytest
-from nacre_extension.core import colour_names
 from nacre_extension.core.form import FormError, Renderer, choose_form
 from nacre_extension.core.library import Library
 from nacre_extension.core.manifest import ManifestError, load_folder
-from nacre_extension.core.messages import spoken
 from nacre_extension.core.oso import (
     OsoError,
     bytecode_hash,
@@ -22,12 +20,14 @@ from nacre_extension.core.oso import (
     parse_parameters,
     strip_provenance,
 )
-from nacre_extension.core.problems import AssignedMaterial, SceneState, find_problems
 from nacre_extension.core.space import REC709, SpaceError, conversion, converted, parse
 from nacre_extension.core.space import text as space_text
-from nacre_extension.core.thickness import ThicknessError, read_varied, socket_values
 from nacre_extension.core.values import AssignmentError, parse_assignments
 from nacre_extension.core.whole_file import is_whole
+from nacre_extension.films import colour_names
+from nacre_extension.films.messages import spoken
+from nacre_extension.materials.problems import AssignedMaterial, SceneState, find_problems
+from nacre_extension.thickness.sources import ThicknessError, read_varied, socket_values
 
 from support.paths import FIXTURES
 
@@ -42,32 +42,6 @@ param\tnormal\tsurface_normal\t0 0 0\t\t%read{1,1} %initexpr
 oparam\tclosure color\tBSDF\t\t\t%read{2147483647,-1} %write{1,1}
 code ___main___
 """
-
-
-@pytest.fixture
-def film():
-    return load_folder(FIXTURES / "test_film")
-
-
-@pytest.fixture
-def grating():
-    return load_folder(FIXTURES / "test_grating")
-
-
-@pytest.fixture
-def edited(tmp_path):
-    """Loads the film after a change to its manifest."""
-
-    def load(change):
-        folder = tmp_path / "test_film"
-        shutil.copytree(FIXTURES / "test_film", folder)
-        path = folder / "test_film.json"
-        data = json.loads(path.read_text("utf-8"))
-        change(data)
-        path.write_text(json.dumps(data), "utf-8")
-        return load_folder(folder)
-
-    return load
 
 
 def test_manifest_is_read(film, grating):
@@ -85,7 +59,7 @@ def test_manifest_is_read(film, grating):
     ("change", "message"),
     [
         (lambda m: m.update(schema=2), "schema: must be 1 (got 2)"),
-        (lambda m: m.update(kind="foam"), "kind: must be one of film, grating, glass (got 'foam')"),
+        (lambda m: m.update(kind=3), "kind: must be text (got 3)"),
         (lambda m: m.pop("name"), "name: must be text (got None)"),
         (lambda m: m.update(sockets={}), "sockets: must be a list of objects"),
         (lambda m: m["sockets"][0].update(type="matrix"), "sockets[0].type: must be one of"),

@@ -67,4 +67,6 @@ def test_what_is_round_has_no_facets(shown):
 
 
 def test_cut_stones_have_an_output_for_eevee(blender, tmp_path):
-    blender.with_environment(NACRE_MATERIALS=str(materials_folder())).script("cut_stones", tmp_path)
+    blender.with_environment(NACRE_MATERIALS=str(materials_folder())).script(
+        "scenes/cut_stones", tmp_path
+    )

@@ -9,7 +9,7 @@ import re
 from pathlib import Path
 
 import pytest
-from nacre_extension.gallery_page import Card, Line, Origin, Picture, Setting, page
+from nacre_extension.background.gallery_page import Card, Line, Origin, Picture, Setting, page
 
 from support.paths import STAGE_EXTENSION, manifest
 

@@ -11,8 +11,8 @@ import pytest
 
 from support.paths import materials_folder
 
-variations = importlib.import_module("nacre_extension.core.variations")
-names = importlib.import_module("nacre_extension.core.file_names")
+variations = importlib.import_module("nacre_extension.variations.drawing")
+names = importlib.import_module("nacre_extension.looks.file_names")
 Knob = variations.Knob
 
 KNOBS = (
@@ -23,13 +23,13 @@ KNOBS = (
 
 
 def test_looks_are_saved_and_shared(blender, tmp_path, thin_slick):
-    blender.with_environment(NACRE_MATERIALS=thin_slick).script("looks", tmp_path)
+    blender.with_environment(NACRE_MATERIALS=thin_slick).script("looks/looks", tmp_path)
 
 
 @pytest.mark.parametrize("form", ["osl", "nodes"])
 def test_variations_of_every_material(blender, form):
     shipped = str(materials_folder())
-    blender.with_environment(NACRE_MATERIALS=shipped).script("variations", form)
+    blender.with_environment(NACRE_MATERIALS=shipped).script("looks/variations", form)
 
 
 def test_seeds_give_the_same_again_and_spread():

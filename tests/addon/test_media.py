@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import pytest
-from nacre_extension.core.media import meant
+from nacre_extension.films.media import meant
 
 MEDIA = (
     ("air", ""),

@@ -16,7 +16,7 @@ import OpenImageIO as oiio
 import pytest
 
 from support.images import read_all, read_image
-from support.paths import ADDON, DRIVER, FIXTURES
+from support.paths import ADDON, DRIVER, FIXTURES, OTHER_KINDS
 
 QUICK = ("--stage", "furnace", "--size", "16x16", "--samples", "2")
 
@@ -55,8 +55,25 @@ def test_report_and_both_kinds_of_file(blender, tmp_path):
     assert sorted(p.name for p in tmp_path.iterdir()) == ["a.exr", "a.png", "user"]
 
 
+def test_a_material_says_on_which_stage_it_is_shown(blender45, tmp_path):
+    """Of a kind that nobody knows; the furnace's pictures have a size of their own."""
+    done = blender45.render(
+        "--compiled",
+        OTHER_KINDS / "test_mist",
+        "--samples",
+        "1",
+        "--json",
+        "-o",
+        tmp_path / "a.exr",
+    )
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    assert report["materials"] == {"test_mist": "nodes"}
+    assert report["size"] == [256, 256]
+
+
 def test_blend_with_frames_and_assignment(blender, tmp_path):
-    blender.script("save", tmp_path, "nodes", "test_film")
+    blender.script("materials/save", tmp_path, "nodes", "test_film")
     pattern = tmp_path / "f_###.exr"
     done = blender.render(
         "--blend", tmp_path / "saved.blend", "--assign", "Cube=test_film", "--frames", "2-3",
@@ -365,7 +382,7 @@ def test_without_the_package_a_pixel_is_refused(blender45, tmp_path):
     """The checkout's folder, unlike that of the tool, has no package beside it."""
     output = tmp_path / "out.exr"
     arguments = ("render", "--material", "test_film", *QUICK, "--pixel", "4", "4", "-o", output)
-    done = blender45.process(ADDON / "driver.py", *arguments)
+    done = blender45.process(ADDON / "background" / "driver.py", *arguments)
     assert done.returncode == 1
     assert done.stdout == ""
     assert "--pixel: Needs the Python package nacre" in done.stderr
@@ -375,7 +392,7 @@ def test_without_the_package_a_pixel_is_refused(blender45, tmp_path):
 def test_without_the_package_a_gallery_is_not_whole(blender45, tmp_path):
     arguments = ("render", "--gallery", "--form", "nodes", "--size", "8x8", "--samples", "1")
     few = blender45.with_materials("tempered_steel")
-    done = few.process(ADDON / "driver.py", *arguments, "-o", tmp_path / "gallery")
+    done = few.process(ADDON / "background" / "driver.py", *arguments, "-o", tmp_path / "gallery")
     assert done.returncode == 1
     assert "nacre render: no swatches: Needs the Python package nacre" in done.stderr
     assert (tmp_path / "gallery" / "tempered_steel.png").is_file()

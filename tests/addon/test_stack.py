@@ -10,7 +10,7 @@ import tomllib
 import numpy as np
 import pytest
 from nacre_extension.core import plot
-from nacre_extension.core.stack import (
+from nacre_extension.films.stack import (
     TECHNIQUES,
     StackError,
     edit,

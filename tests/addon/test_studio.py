@@ -35,42 +35,42 @@ def studio(blender, studio_servers) -> Blender:
     return studio.with_environment(OCIO=str(CONFIG))
 
 
-@pytest.mark.parametrize("script", ["assign", "unmade"])
+@pytest.mark.parametrize("script", ["library/assign", "materials/unmade"])
 def test_assigning(studio, script):
     studio.script(script)
 
 
-@pytest.mark.parametrize("script", ["copies", "panels"])
+@pytest.mark.parametrize("script", ["materials/copies", "extension/panels"])
 def test_edited_materials(studio, tmp_path, script, thin_slick):
     studio.with_environment(NACRE_MATERIALS=thin_slick).script(script, tmp_path)
 
 
 def test_the_probe(studio, tmp_path):
-    studio.with_materials("soap_film", "jewel_beetle").script("probe", tmp_path, "nodes")
+    studio.with_materials("soap_film", "jewel_beetle").script("viewer/probe", tmp_path, "nodes")
 
 
-@pytest.mark.parametrize("script", ["thickness", "views"])
+@pytest.mark.parametrize("script", ["thickness/each_source", "viewer/views"])
 def test_operators(studio, tmp_path, script):
     studio.script(script, tmp_path)
 
 
 def test_missing_tables(studio, tmp_path):
-    studio.script("missing", tmp_path, "nodes")
+    studio.script("materials/missing", tmp_path, "nodes")
 
 
 def test_the_asset_library(studio):
-    studio.with_materials("tempered_steel", "water").script("assets")
+    studio.with_materials("tempered_steel", "water").script("library/assets")
 
 
 def test_an_edited_stack(studio, tmp_path, thin_slick):
     edited = studio.with_environment(NACRE_MATERIALS=thin_slick)
-    edited.script("stack", tmp_path, "nodes")
+    edited.script("films/stack", tmp_path, "nodes")
 
 
 def test_a_file_of_another_config(blender, studio, tmp_path):
-    blender.script("save", tmp_path, "nodes", "test_film")
+    blender.script("materials/save", tmp_path, "nodes", "test_film")
     saved = tmp_path / "saved.blend"
-    studio.script("studio", saved)
+    studio.script("materials/studio", saved)
     output = tmp_path / "out.exr"
     done = studio.render("--blend", saved, "--size", "16x16", "--samples", "1", "-o", output)
     assert done.returncode == 0, done.stderr

@@ -10,14 +10,14 @@ import math
 import numpy as np
 import OpenImageIO as oiio
 import pytest
-from nacre_extension.core import probe as probes
 from nacre_extension.core.exr import ExrError, read_channels
-from nacre_extension.core.fields import FIELDS
 from nacre_extension.core.light import USUAL
-from nacre_extension.core.probe import Film, Reading, measure, seen_from_behind
-from nacre_extension.core.stack import read_stack, write_template
-from nacre_extension.core.view import frame, height_for
 from nacre_extension.core.whole_file import is_whole
+from nacre_extension.films.stack import read_stack, write_template
+from nacre_extension.viewer import probe as probes
+from nacre_extension.viewer.fields import FIELDS
+from nacre_extension.viewer.probe import Reading, Sample, measure, seen_from_behind
+from nacre_extension.viewer.view import frame, height_for
 
 from support.images import read_all
 from support.paths import TEMPLATES
@@ -150,8 +150,8 @@ def reading(cos_theta: float, nm: float = 400.0, is_back: bool = False) -> Readi
     return Reading((0, 0, 1), (0, 0, 1), (0.25, 0.5, 0), cos_theta, is_back, nm)
 
 
-def film(template: str, unit_nm: float = 1.0, varies: bool = True) -> Film:
-    return Film(template, USUAL, unit_nm, varies)
+def film(template: str, unit_nm: float = 1.0, varies: bool = True) -> Sample:
+    return Sample(template, USUAL, unit_nm, varies)
 
 
 def test_probe_of_a_soap_film_is_the_multilayer():
@@ -248,17 +248,17 @@ def test_what_is_no_film_has_no_spectrum():
 
 def test_camera_sees_what_the_viewport_sees(blender, tmp_path):
     (tmp_path / "out").mkdir()
-    blender.script("viewport_camera", tmp_path / "out")
+    blender.script("viewer/viewport_camera", tmp_path / "out")
 
 
 @pytest.mark.parametrize("form", ["osl", "nodes"])
 def test_probe(blender, tmp_path, form):
     blender = blender.with_materials("soap_film", "jewel_beetle")
-    blender.script("probe", tmp_path, form)
+    blender.script("viewer/probe", tmp_path, form)
 
 
 def test_views_and_passes_come_and_go(blender, tmp_path):
-    blender.script("views", tmp_path)
+    blender.script("viewer/views", tmp_path)
 
 
 # ---- The command line ----------------------------------------------------------------------------

@@ -20,6 +20,8 @@ RELEASE = ROOT / "build" / "release"
 # Compiled materials that are small, and stay as they are.
 OPTICAL_CONSTANTS = ROOT / "cpp_tools" / "data" / "optical_constants"
 FIXTURES = ROOT / "tests" / "addon" / "fixtures"
+# One of a kind that there is not.
+OTHER_KINDS = ROOT / "tests" / "addon" / "other_kinds"
 STAGE_EXTENSION = ROOT / "cpp_tools" / "generators" / "stage_extension.py"
 
 
@@ -28,7 +30,7 @@ def tool() -> Path:
 
 
 SHARE = tool().absolute().parents[1] / "share" / "nacre"
-DRIVER = SHARE / "addon" / "driver.py"
+DRIVER = SHARE / "addon" / "background" / "driver.py"
 # Where the tool has the Python package, as a user finds it: with its library beside it.
 PACKAGE = SHARE / "python"
 

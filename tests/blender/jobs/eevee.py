@@ -8,6 +8,7 @@ EEVEE draws no points, so the spheres are meshes; the stage is else that of the 
 from __future__ import annotations
 
 import math
+from types import ModuleType
 
 import bpy
 
@@ -22,13 +23,19 @@ def engine(scene: bpy.types.Scene) -> str:
     return "BLENDER_EEVEE_NEXT" if "BLENDER_EEVEE_NEXT" in engines else "BLENDER_EEVEE"
 
 
+def makers_of_materials() -> ModuleType:
+    """With what stones show in EEVEE, which the extension and its program have switched on."""
+    extension.module("gems.cut_stone").register()
+    return extension.module("materials.material")
+
+
 def atlas(**job) -> None:
     """`cells` (material, values), `columns`, the `size` of a cell, samples, file; `unlit_behind`: what
     passes the films sees black, though they reflect white."""
-    materials = extension.module("nodes.material")
+    materials = makers_of_materials()
     library = extension.module("core.library").Library.default()
-    add_sphere = extension.module("scenes.shape").sphere
-    scene = extension.module("scenes").build_stage("furnace").scene
+    add_sphere = extension.module("background.scenes.shape").sphere
+    scene = extension.module("background.scenes").build_stage("furnace").scene
     columns = job["columns"]
     rows = math.ceil(len(job["cells"]) / columns)
     scene.camera.data.ortho_scale = 2.0 * max(columns, rows)
@@ -55,9 +62,9 @@ def atlas(**job) -> None:
 def portrait(**job) -> None:
     """The `material` as its picture has it, without a floor, and with alpha for what it covers: `size`,
     samples, file; on another `object`; `plain`: as EEVEE shows it without an output of its own."""
-    materials = extension.module("nodes.material")
+    materials = makers_of_materials()
     compiled = extension.module("core.library").Library.default().load(job["material"])
-    stage = extension.module("scenes").build_stage(
+    stage = extension.module("background.scenes").build_stage(
         "portrait", job.get("object", compiled.look.object)
     )
     # How images are filtered by their slope depends on the driver.

@@ -33,7 +33,7 @@ def load() -> ModuleType:
 
 
 def module(name: str) -> ModuleType:
-    """A module of the extension, such as `nodes.material`."""
+    """A module of the extension, such as `materials.material`."""
     load()
     return importlib.import_module(f"{PACKAGE}.{name}")
 
@@ -46,7 +46,7 @@ def set_space(name: str) -> None:
 
 def space_to_xyz() -> list[list[float]]:
     """Of the file's scene-linear space."""
-    return [list(row) for row in module("nodes.space").of_file()]
+    return [list(row) for row in module("blender.space").of_file()]
 
 
 def forget() -> None:

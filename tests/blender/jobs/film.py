@@ -78,18 +78,18 @@ def live_film(job: dict, script) -> bpy.types.Material:
 
 
 def render(**job) -> None:
-    stage = extension.module("scenes").build_stage("furnace")
+    stage = extension.module("background.scenes").build_stage("furnace")
     scene = stage.scene
     if job["shader"] == "blender":
         material = blender_film(job)
     elif job["shader"] == "live":
-        material = live_film(job, extension.module("nodes.script"))
-        extension.module("nodes.scene").use_osl(scene)
+        material = live_film(job, extension.module("materials.script"))
+        extension.module("materials.scene").use_osl(scene)
     else:
         compiled = extension.module("core.library").Library.default().load(job["material"])
-        material = extension.module("nodes.material").create_material(compiled, "nodes")
+        material = extension.module("materials.material").create_material(compiled, "nodes")
         values = {job["thickness_socket"]: job["thickness_nm"], "roughness": 0.0}
-        extension.module("nodes.material").set_values(material, values)
+        extension.module("materials.material").set_values(material, values)
     if material is None:
         scene.world.node_tree.nodes["Background"].inputs["Strength"].default_value = -1.0
     else:

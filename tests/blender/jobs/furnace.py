@@ -85,20 +85,20 @@ def blenders_own(roughness: float, index: float | None) -> bpy.types.Material:
 
 
 def film(scene: bpy.types.Scene, job: dict) -> bpy.types.Material:
-    materials = extension.module("nodes.material")
+    materials = extension.module("materials.material")
     compiled = extension.module("core.library").Library.default().load(job["material"])
     material = materials.create_material(compiled, job["form"])
     materials.set_values(material, job["values"])
     if job.get("spread_nm"):
-        source = extension.module("nodes.thickness").add_source(material, "spread")
+        source = extension.module("thickness.nodes").add_source(material, "spread")
         source.inputs["Spread"].default_value = job["spread_nm"]
     if job.get("brush"):
         right = tuple(scene.camera.matrix_world.col[0].to_3d())
         materials.set_values(material, {"tangent": right})
     if job["form"] == "osl":
-        extension.module("nodes.scene").use_osl(scene)
+        extension.module("materials.scene").use_osl(scene)
         if compiled.wavelength_per_path:
-            extension.module("nodes.scene").use_wavelengths(scene)
+            extension.module("materials.scene").use_wavelengths(scene)
     return material
 
 
@@ -120,7 +120,7 @@ def keep_all_light(scene: bpy.types.Scene) -> None:
 
 
 def render(**job) -> None:
-    stage = extension.module("scenes").build_stage("furnace")
+    stage = extension.module("background.scenes").build_stage("furnace")
     scene = stage.scene
     if job["material"] is None:
         material = blenders_own(job["values"]["roughness"], job.get("index"))
@@ -129,7 +129,7 @@ def render(**job) -> None:
     if "inside_deg" in job:
         place_from_inside(scene, material, job["inside_deg"])
     elif job.get("solid"):
-        ball = extension.module("scenes.shape").sphere
+        ball = extension.module("background.scenes.shape").sphere
         ball(scene, "Sphere", (0.0, 0.0, 0.0), 1.0, rings=256).data.materials.append(material)
     else:
         stage.place(material)
@@ -151,7 +151,7 @@ def seen_by_the_camera_alone(sphere: bpy.types.Object) -> None:
 
 
 def atlas(**job) -> None:
-    stage = extension.module("scenes").build_stage("furnace")
+    stage = extension.module("background.scenes").build_stage("furnace")
     scene, columns = stage.scene, job["columns"]
     rows = math.ceil(len(job["cells"]) / columns)
     scene.camera.data.ortho_scale = 2.0 * max(columns, rows)

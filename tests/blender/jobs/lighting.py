@@ -16,7 +16,7 @@ SIZE = 48
 
 def names() -> list[str]:
     """Of all lights, as the menu has them."""
-    return [key for key, _, _ in extension.module("core.lighting").LIGHTS]
+    return [key for key, _, _ in extension.module("lighting.rooms").LIGHTS]
 
 
 def mirror(**job) -> None:
@@ -40,6 +40,6 @@ def mirror(**job) -> None:
     scene.camera.location = (5.0 * math.cos(turn), 5.0 * math.sin(turn), 0.0)
     scene.camera.rotation_euler = (math.pi / 2.0, 0.0, turn + math.pi / 2.0)
     rotation = math.radians(job["rotation_deg"])
-    lighting = extension.module("nodes.lighting")
+    lighting = extension.module("lighting.world")
     lighting.light_scene(scene, job["light"], job["strength"], rotation)
     render_picture(scene, SIZE, SIZE, 16, job["file"])

@@ -28,4 +28,4 @@ def render_picture(
     scene.cycles.samples = samples
     scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
     bpy.ops.render.render()
-    extension.module("output").Writer(scene).save(Path(file))
+    extension.module("blender.output").Writer(scene).save(Path(file))

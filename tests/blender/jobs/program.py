@@ -28,4 +28,4 @@ def script(file: str, arguments: list[str]) -> None:
 
 def render(arguments: list[str]) -> int:
     """`driver.py render ARGUMENTS`; its exit status."""
-    return extension.module("render").main(["render", *arguments])
+    return extension.module("background.render").main(["render", *arguments])

@@ -22,7 +22,7 @@ SIZE = 16
 
 def written(job: dict, file: Path) -> None:
     """The material in a file of Rec.709."""
-    scene = extension.module("scenes").build_stage("furnace").scene
+    scene = extension.module("background.scenes").build_stage("furnace").scene
     bpy.data.libraries.write(str(file), {film(scene, job)})
 
 
@@ -30,14 +30,14 @@ def appended(scene: bpy.types.Scene, job: dict, file: Path) -> bpy.types.Materia
     with bpy.data.libraries.load(str(file), link=job["how"] == "linked") as (theirs, ours):
         ours.materials = theirs.materials
     if job["form"] == "osl":
-        extension.module("nodes.scene").use_osl(scene)
-        extension.module("nodes.scene").use_wavelengths(scene)
+        extension.module("materials.scene").use_osl(scene)
+        extension.module("materials.scene").use_wavelengths(scene)
     return ours.materials[0]
 
 
 def render(**job) -> list[list[float]]:
     """The matrix from the picture's colours to XYZ."""
-    follow = extension.module("nodes.follow")
+    follow = extension.module("materials.follow")
     aside = Path(job["file"]).with_suffix(".blend")
     comes_from_a_file = job["how"] in ("appended", "linked")
     follow.register()
@@ -45,7 +45,7 @@ def render(**job) -> list[list[float]]:
         if comes_from_a_file:
             written(job, aside)
         bpy.ops.wm.read_homefile(use_empty=True)
-        stage = extension.module("scenes").build_stage("furnace")
+        stage = extension.module("background.scenes").build_stage("furnace")
         scene = stage.scene
         if job["how"] != "changed":
             extension.set_space(job["space"])
@@ -64,7 +64,7 @@ def render(**job) -> list[list[float]]:
 
 def stage_light(stage: str, file: str) -> list[list[float]]:
     """Only the environment of a stage; the matrix from the picture's colours to XYZ."""
-    scene = extension.module("scenes").build_stage(stage).scene
+    scene = extension.module("background.scenes").build_stage(stage).scene
     for obj in scene.objects:
         obj.hide_render = True
     render_picture(scene, SIZE, SIZE, 64, file)

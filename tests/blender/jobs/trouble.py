@@ -43,7 +43,7 @@ def stay_registered() -> None:
 
 
 def leave_handler() -> None:
-    bpy.app.handlers.load_post.append(extension.module("nodes.live").finish_all)
+    bpy.app.handlers.load_post.append(extension.module("films.live").finish_all)
 
 
 def surroundings() -> dict:

@@ -9,7 +9,7 @@ from . import extension
 
 def render(arguments: list[str], fails_at: str) -> int:
     """`driver.py render ARGUMENTS`, where the stage `fails_at` cannot be built."""
-    made = extension.module("render")
+    made = extension.module("background.render")
     build = made.build_stage
 
     def gives_up(name: str, object_name: str):
@@ -26,14 +26,14 @@ def render(arguments: list[str], fails_at: str) -> int:
 
 def pixel(arguments: list[str]) -> int:
     """The same, where no spectrum of a film can be computed."""
-    probe = extension.module("core.probe")
+    probe = extension.module("viewer.probe")
     lights = probe._lights
 
     def unknown(*_arguments):
-        raise extension.module("core.stack").StackError("no such medium")
+        raise extension.module("films.stack").StackError("no such medium")
 
     probe._lights = unknown
     try:
-        return extension.module("render").main(["render", *arguments])
+        return extension.module("background.render").main(["render", *arguments])
     finally:
         probe._lights = lights

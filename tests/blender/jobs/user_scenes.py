@@ -230,7 +230,7 @@ def _under_a_white_sky(scene) -> None:
 def _wave_material(form: str, name: str = "test_film") -> bpy.types.NodeTree:
     """Its group; the material is on the cube."""
     compiled = extension.module("core.library").Library.default().load(name)
-    materials = extension.module("nodes.material")
+    materials = extension.module("materials.material")
     material = materials.create_material(compiled, form)
     _cube().material_slots[0].material = material
     return materials.group_node(material).node_tree

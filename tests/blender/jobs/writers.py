@@ -45,19 +45,19 @@ def _shine(group: bpy.types.NodeTree, colour: str) -> None:
 
 def _material(folder: str, form: str, colour: str) -> bpy.types.Material:
     compiled = extension.module("core.manifest").load_folder(Path(folder))
-    make = extension.module("nodes.material").create_material
+    make = extension.module("materials.material").create_material
     if form == "osl":
         made = make(replace(compiled, osl=shown(compiled.osl, colour), bytecode=None), form)
         _read_files(made, folder)
         return made
     material = make(compiled, form)
-    _shine(extension.module("nodes.material").group_node(material).node_tree, colour)
+    _shine(extension.module("materials.material").group_node(material).node_tree, colour)
     return material
 
 
 def _read_files(material: bpy.types.Material, folder: str) -> None:
     """The shader looks its colours up by itself, in the files of its tables."""
-    group = extension.module("nodes.material").group_node(material).node_tree
+    group = extension.module("materials.material").group_node(material).node_tree
     script = next(node for node in group.nodes if node.type == "SCRIPT")
     for socket in script.inputs:
         if socket.identifier.startswith("table_") and socket.type == "STRING":
@@ -92,7 +92,7 @@ def _faces(inputs: dict[str, np.ndarray], width: int, turned: np.ndarray) -> bpy
 def _link_inputs(material: bpy.types.Material, names: list[str]) -> None:
     tree = material.node_tree
     for name in names:
-        socket = extension.module("nodes.material").input_socket(material, name)
+        socket = extension.module("materials.material").input_socket(material, name)
         node = tree.nodes.new("ShaderNodeAttribute")
         node.attribute_name = name
         output = "Fac" if socket.type in ("VALUE", "INT") else "Vector"

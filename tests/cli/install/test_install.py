@@ -57,7 +57,7 @@ def test_render_finds_its_driver_under_the_prefix(installed, tmp_path):
     python.write_text('#!/bin/sh\n[ "$1" = -c ] || echo "$1" >&"$NACRE_REPORT_FD"\n')
     python.chmod(0o755)
     result = installed("render", "--material", "water", env={"NACRE_PYTHON": str(python)})
-    driver = installed.program.parents[1] / "share" / "nacre" / "addon" / "driver.py"
+    driver = installed.program.parents[1] / "share" / "nacre" / "addon" / "background" / "driver.py"
     if not driver.is_file():
         assert f"{driver}: is missing" in result.stderr
     else:

@@ -56,10 +56,10 @@ def recorder(path: Path, code=0, probe=0, ending="") -> Path:
 def prefix(nacre, tmp_path) -> Path:
     """An installation without an environment of its own."""
     prefix = tmp_path / "prefix"
-    for folder in ("bin", "share/nacre/addon", "share/nacre/materials"):
+    for folder in ("bin", "share/nacre/addon/background", "share/nacre/materials"):
         (prefix / folder).mkdir(parents=True)
     shutil.copy(nacre.program, prefix / "bin" / "nacre")
-    (prefix / "share/nacre/addon/driver.py").write_text("")
+    (prefix / "share/nacre/addon/background/driver.py").write_text("")
     return prefix
 
 
@@ -99,7 +99,11 @@ def test_named_python(render, prefix, tmp_path):
     result = render(*ARGUMENTS, NACRE_PYTHON=str(python), NACRE_BLENDER="/nonexistent")
     assert result.returncode == 0, result.stderr
     call = json.loads(result.stdout)
-    assert call["arguments"] == [str(prefix / "share/nacre/addon/driver.py"), "render", *ARGUMENTS]
+    assert call["arguments"] == [
+        str(prefix / "share/nacre/addon/background/driver.py"),
+        "render",
+        *ARGUMENTS,
+    ]
     assert call["materials"] == str(prefix / "share/nacre/materials")
     assert (
         result.stderr == f"nacre render: uses bpy of {python} (NACRE_PYTHON)\nlibfilm: odd film\n"
@@ -172,7 +176,7 @@ def test_named_blender(render, prefix, tmp_path):
         "--python-exit-code",
         "1",
         "--python",
-        str(prefix / "share/nacre/addon/driver.py"),
+        str(prefix / "share/nacre/addon/background/driver.py"),
         "--",
         "render",
         *ARGUMENTS,

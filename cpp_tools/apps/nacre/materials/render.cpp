@@ -83,14 +83,14 @@ bool has_bpy(const fs::path& python)
 
 Renderer python_renderer(const fs::path& python, const std::string& origin)
 {
-    return {{python.string(), share_path("addon/driver.py").string(), "render"},
+    return {{python.string(), share_path("addon/background/driver.py").string(), "render"},
             fmt::format("bpy of {} ({})", python.string(), origin)};
 }
 
 Renderer blender_renderer(const fs::path& blender, const std::string& origin)
 {
     return {{blender.string(), "-b", "--factory-startup", "--python-exit-code", "1", "--python",
-             share_path("addon/driver.py").string(), "--", "render"},
+             share_path("addon/background/driver.py").string(), "--", "render"},
             fmt::format("{} ({})", blender.string(), origin)};
 }
 

@@ -1,0 +1,303 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The options of `render`."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+from collections.abc import Sequence
+from pathlib import Path
+from typing import NoReturn
+
+from ..core.faults import ForeseenError
+from ..core.form import AUTO, NODES, OSL
+from ..films.stack import MULTILAYER, TECHNIQUES
+from ..thickness.sources import SOURCES, ThicknessError, Varied, read_varied
+from ..viewer.fields import FIELDS
+from .scenes import stage_names
+
+DEFAULT_VIEW = "Khronos PBR Neutral"
+
+EXAMPLES = """\
+examples:
+  nacre render --material soap_film --stage bubble -o bubble.png
+  nacre render --material oil_on_water --set thickness_nm=420 --stage furnace --size 128x128 -o oil.exr
+  nacre render --material oil_on_water --set substrate=Au/Johnson --set range_nm=0:300 -o gilt.png
+  nacre render --material soap_film --technique airy --stage bubble -o airy.png
+  nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
+  nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
+  nacre render --material oil_on_water --stage plane --vary drop:base_nm=100,height_nm=600,radius=0.4 -o drop.png
+  nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-48 -o thin_##.png
+  nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
+  nacre render --batch looks.csv --stage shaderball --samples 64 -o looks/
+  nacre render --material soap_film --stage sphere --pixel 320 240 --json
+  nacre render --material soap_film --stage sphere --aov thickness --aov cos_theta -o bubble.exr
+  nacre render --gallery --size 256x256 --samples 64 -o gallery/
+  nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o shot_####.exr
+"""
+
+
+class UsageError(ForeseenError):
+    """Options that do not fit together, or values out of range."""
+
+
+class _Parser(argparse.ArgumentParser):
+    """Exit status 1 for wrong usage, as for every other wrong input; argparse's own is 2."""
+
+    def error(self, message: str) -> NoReturn:
+        raise UsageError(message)
+
+
+def parser() -> argparse.ArgumentParser:
+    made = _Parser(
+        prog="nacre render",
+        description="Render a material on a stage, or a .blend with materials, through Cycles.",
+        epilog=EXAMPLES,
+        formatter_class=argparse.RawDescriptionHelpFormatter,
+    )
+    what = made.add_argument_group("what to render (one of these)")
+    what.add_argument("--material", metavar="ID", help="a compiled material of the library")
+    what.add_argument(
+        "--compiled", metavar="DIR", type=Path, help="the folder of a compiled material"
+    )
+    what.add_argument(
+        "--template", metavar="FILE", type=Path, help="a template, compiled on the way"
+    )
+    what.add_argument("--blend", metavar="FILE", type=Path, help="a .blend file")
+    what.add_argument(
+        "--batch",
+        metavar="CSV",
+        type=Path,
+        help="a picture for each row: a column `output`, others named as options or as values to set",
+    )
+    what.add_argument(
+        "--gallery",
+        action="store_true",
+        help="every material of the library, and a page about them",
+    )
+    stage = made.add_argument_group("a material")
+    stage.add_argument(
+        "--stage", metavar="NAME", help=f"one of {', '.join(stage_names())} (default shaderball)"
+    )
+    stage.add_argument(
+        "--look",
+        action="store_true",
+        help="as the library pictures it: on its own object unless --stage says where, its thickness "
+        "varied; the stage portrait alone keeps the thickness even",
+    )
+    stage.add_argument(
+        "--set",
+        metavar="NAME=VALUE",
+        action="append",
+        default=[],
+        help="a value of the material, or of its stack: layers.0.thickness_nm=420, "
+        "layers.0.medium=TiO2/Sarkar, layers.0.coherent=false, ambient, substrate, range_nm=LOW:HIGH",
+    )
+    stage.add_argument(
+        "--technique",
+        choices=TECHNIQUES,
+        metavar="NAME",
+        help="what a film's reflectance is computed by, for comparison: "
+        f"{', '.join(TECHNIQUES)} (default: the template's, mostly {MULTILAYER})",
+    )
+    stage.add_argument(
+        "--animate",
+        metavar="NAME=FROM:TO",
+        action="append",
+        default=[],
+        help="a value that runs evenly over --frames, such as thickness_nm=100:800",
+    )
+    stage.add_argument(
+        "--vary",
+        metavar="SOURCE[:NAME=VALUE,…]",
+        action="append",
+        default=[],
+        type=_varied,
+        help=f"let the thickness vary: {_sources()}; may be repeated: each lies upon "
+        "those before it. Thicknesses are in nm, or with _scale in place of _nm, of a material with "
+        "thickness_scale, factors; centre is X:Y in texture coordinates, in which the radius is too",
+    )
+    stage.add_argument(
+        "--thickness-map", metavar="FILE", type=Path, help="a picture of the thickness, over UV"
+    )
+    stage.add_argument(
+        "--range", metavar="LOW:HIGH", type=_range, help="thicknesses of black and white in the map"
+    )
+    blend = made.add_argument_group("a .blend file")
+    blend.add_argument("--assign", metavar="OBJECT=ID", action="append", default=[])
+    blend.add_argument(
+        "--scene", metavar="NAME", help="default: the one that the file was saved with"
+    )
+    made.add_argument("--frames", metavar="A-B", type=_frames, help="default: the current frame")
+    made.add_argument(
+        "--resume", action="store_true", help="leave out frames whose files are there already"
+    )
+    made.add_argument(
+        "--form", choices=(AUTO, OSL, NODES), default=AUTO, help="of the materials (default auto)"
+    )
+    picture = made.add_argument_group("the picture")
+    picture.add_argument("--samples", metavar="N", type=_whole(1), help="default: the stage's own")
+    picture.add_argument("--size", metavar="WxH", type=_size, help="default: the stage's own")
+    picture.add_argument("--seed", metavar="S", type=_whole(0), default=0, help="default 0")
+    picture.add_argument("--denoise", action="store_true", help="OpenImageDenoise; default off")
+    picture.add_argument(
+        "--view",
+        metavar="NAME",
+        help=f"view transform of a PNG (default {DEFAULT_VIEW!r}, a .blend keeps its own)",
+    )
+    picture.add_argument(
+        "--aov",
+        metavar="NAME",
+        action="append",
+        default=[],
+        choices=[item.id for item in FIELDS],
+        help=f"a pass of the wave materials in a file with layers beside the first output, "
+        f"…_passes.exr: {', '.join(item.id for item in FIELDS)}; may be repeated",
+    )
+    picture.add_argument(
+        "--pixel",
+        metavar=("X", "Y"),
+        nargs=2,
+        type=_whole(0),
+        action="append",
+        default=[],
+        help="print thickness, angle, spectrum and colour of the film there, from the top left; may "
+        "be repeated; without -o nothing is rendered",
+    )
+    picture.add_argument(
+        "-o",
+        "--output",
+        metavar="FILE",
+        action="append",
+        default=[],
+        help=".exr: float, scene-linear; .png: 8 bit, through the view transform; may be repeated; "
+        "of --batch and --gallery a folder",
+    )
+    made.add_argument("--threads", metavar="N", type=_whole(1), help="default: all")
+    made.add_argument("--json", action="store_true", help="print a report as JSON")
+    made.add_argument("--quiet", action="store_true", help="print errors only")
+    made.add_argument("-v", "--verbose", action="store_true", help="with Blender's own messages")
+    return made
+
+
+def _whole(least: int):
+    def parse(text: str) -> int:
+        if not text.isdecimal() or not least <= int(text) <= 2**31 - 1:
+            raise argparse.ArgumentTypeError(f"must be a whole number ≥ {least} (got {text!r})")
+        return int(text)
+
+    return parse
+
+
+def _size(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d+)x(\d+)", text)
+    size = tuple(map(int, match.groups())) if match else (0, 0)
+    if not all(4 <= side <= 65536 for side in size):
+        raise argparse.ArgumentTypeError(f"must be WxH, each 4 … 65536 pixels (got {text!r})")
+    return size
+
+
+def _range(text: str) -> tuple[float, float]:
+    try:
+        low, high = map(float, text.split(":"))
+    except ValueError:
+        low, high = 0.0, 0.0
+    if not (math.isfinite(low) and math.isfinite(high) and 0.0 <= low < high):
+        raise argparse.ArgumentTypeError(f"must be LOW:HIGH with 0 ≤ LOW < HIGH (got {text!r})")
+    return low, high
+
+
+def _sources() -> str:
+    """Those that stand alone, with the names of their values."""
+    return "; ".join(
+        f"{item.id} ({', '.join(made.option('nm') for made in item.inputs if made.is_given)})"
+        for item in SOURCES
+        if item.stands_alone
+    )
+
+
+def _varied(text: str) -> Varied:
+    try:
+        return read_varied(text)
+    except ThicknessError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
+
+
+def _frames(text: str) -> range:
+    match = re.fullmatch(r"(\d+)(?:-(\d+))?", text)
+    first = int(match.group(1)) if match else 1
+    last = int(match.group(2) or first) if match else 0
+    if last < first:
+        raise argparse.ArgumentTypeError(f"must be A or A-B with A ≤ B (got {text!r})")
+    return range(first, last + 1)
+
+
+def _check_looks(options: argparse.Namespace) -> None:
+    if options.pixel and (options.batch or options.gallery):
+        raise UsageError("--pixel does not go with --batch and --gallery")
+    if options.pixel and options.frames and len(options.frames) != 1:
+        raise UsageError("--pixel is of one frame: give --frames A")
+
+
+def parse(argv: Sequence[str]) -> argparse.Namespace:
+    argv = list(argv)
+    if argv[:1] == ["render"]:
+        argv = argv[1:]
+    options = parser().parse_args(argv)
+    if not options.output and not options.pixel:
+        raise UsageError("give -o FILE, or --pixel X Y")
+    _check_looks(options)
+    if options.batch or options.gallery:
+        if options.batch and options.gallery:
+            raise UsageError("give one of --batch, --gallery")
+        if len(options.output) != 1:
+            raise UsageError("-o: one folder for all pictures")
+        return options
+    _check_source(options)
+    _check_thickness(options)
+    return options
+
+
+def _check_source(options: argparse.Namespace) -> None:
+    sources = [options.material, options.compiled, options.template, options.blend]
+    if sum(source is not None for source in sources) != 1:
+        raise UsageError(
+            "give one of --material, --compiled, --template, --blend, --batch, --gallery"
+        )
+    if options.blend is None and (options.assign or options.scene):
+        raise UsageError(f"{'--assign' if options.assign else '--scene'} needs --blend")
+    varied = options.vary or options.thickness_map
+    of_a_stage = (
+        options.stage or options.look or options.set or options.animate or options.technique
+    )
+    if options.blend is not None and (of_a_stage or varied):
+        raise UsageError(
+            "--stage, --look, --set, --technique, --animate, --vary and --thickness-map do not go with "
+            "--blend"
+        )
+    moves = options.blend or options.animate or options.look or _swirls(options)
+    if options.frames and not moves:
+        raise UsageError(
+            "--frames needs --blend, --animate, --look or --vary swirl: nothing else moves"
+        )
+    if options.animate and not options.frames:
+        raise UsageError("--animate needs --frames")
+
+
+def _swirls(options: argparse.Namespace) -> bool:
+    return "swirl" in {item.source.id for item in options.vary}
+
+
+def _check_thickness(options: argparse.Namespace) -> None:
+    if options.look and (options.vary or options.thickness_map):
+        raise UsageError(
+            "--look does not go with --vary and --thickness-map, which it brings along"
+        )
+    if options.range and not options.thickness_map:
+        raise UsageError("--range needs --thickness-map")
+    if options.thickness_map and not all(
+        item.source.changes_what_is_below for item in options.vary
+    ):
+        raise UsageError("--thickness-map goes with --vary drop, swirl and spread alone")
