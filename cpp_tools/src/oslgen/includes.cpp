@@ -8,7 +8,7 @@
 
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
-#include "nacre/oslgen/program.h"
+#include "nacre/oslgen/write.h"
 
 namespace nacre::oslgen {
 namespace {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "nacre/core/diagnostics.h"
+#include "nacre/oslgen/write.h"
 
 namespace nacre::pipeline {
 namespace {

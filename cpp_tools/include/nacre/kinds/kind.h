@@ -29,7 +29,7 @@ struct Prepared {
 /// What a material is made of.
 class Kind {
 public:
-    virtual ~Kind() = default;
+    virtual ~Kind();
 
     [[nodiscard]] virtual std::string_view name() const = 0;
     [[nodiscard]] virtual oslgen::Traits traits() const = 0;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -15,12 +16,14 @@
 #include "nacre/oslgen/table_surface.h"
 
 /// @file
-/// A material's program, and the texts that are made of it: shader and manifest.
+/// A material's program, before it is written.
 
 namespace nacre::oslgen {
 
 /// What renderers do with an output of the node group.
 enum class ClosureRole { surface, emission, volume };
+
+[[nodiscard]] std::string_view closure_role_name(ClosureRole role);
 
 struct Closure {
     std::string output;
@@ -33,6 +36,9 @@ enum class Truth {
     stack,  ///< R and T of the layers, as `nacre eval stack` has them
     white,  ///< it sends on all light
 };
+
+/// Empty of `none`.
+[[nodiscard]] std::string_view truth_name(Truth truth);
 
 /// What other programs may ask of a material without knowing its kind; see manifest.md.
 struct Traits {
@@ -85,16 +91,5 @@ struct Program {
     ColourSystem colours;
     std::vector<HeldMedium> held;
 };
-
-struct ProgramText {
-    std::string osl;       ///< one file, includes inlined
-    std::string manifest;  ///< JSON, ends with a newline; form: cpp_tools/doc/manifest.md
-};
-
-[[nodiscard]] ProgramText write(const Program& program);
-
-/// Replaces `#include "nacre/…"` by the embedded header's text, each header once.
-/// @throws InputError for a header that is not there.
-[[nodiscard]] std::string inline_includes(const std::string& osl, const std::string& name);
 
 }  // namespace nacre::oslgen

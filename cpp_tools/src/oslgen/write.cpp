@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include "nacre/oslgen/write.h"
+
 #include <algorithm>
-#include <array>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "nacre/core/version.h"
-#include "nacre/oslgen/program.h"
 #include "writers.h"
 
 namespace nacre::oslgen {
@@ -95,17 +95,15 @@ Json held_entries(const Program& program)
 
 Json traits_entry(const Traits& traits)
 {
-    constexpr std::array<const char*, 3> kRoles{"surface", "emission", "volume"};
-    const std::array<Json, 3> truths{nullptr, "stack", "white"};
+    const std::string_view truth = truth_name(traits.truth);
     Json closures = Json::array();
     for (const Closure& closure : traits.closures)
-        closures.push_back({{"output", closure.output},
-                            {"role", kRoles.at(static_cast<std::size_t>(closure.role))}});
+        closures.push_back({{"output", closure.output}, {"role", closure_role_name(closure.role)}});
     return {{"stage", traits.stage},
             {"editable_stack", traits.editable_stack},
             {"probe", traits.probe},
             {"closures", std::move(closures)},
-            {"truth", truths.at(static_cast<std::size_t>(traits.truth))},
+            {"truth", truth.empty() ? Json(nullptr) : Json(truth)},
             {"furnace", traits.is_body ? "body" : "surface"}};
 }
 
