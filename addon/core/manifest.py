@@ -60,6 +60,7 @@ class Table:
     file: str
     width: int
     height: int
+    form: str = ""  # smooth, rough, further or powers; empty where an older tool wrote none
 
 
 @dataclass(frozen=True)
@@ -339,7 +340,9 @@ def _parse_tables(data: list[dict[str, Any]], where: str, problems: list[str]) -
         if not all(isinstance(size, int) and size > 0 for size in shape):
             problems.append(f"{at}: width and height must be whole numbers above 0 (got {shape})")
             continue
-        tables.append(Table(name, file, *shape))
+        role = item.get("role")
+        form = role.get("form", "") if isinstance(role, dict) else ""
+        tables.append(Table(name, file, *shape, form=str(form)))
     return tuple(tables)
 
 

@@ -34,8 +34,6 @@ from ..materials.recipe import (
 from . import media as keys
 from .stack import Stack, StackError, parse_medium, read_stack, write_template
 
-_LEFT_TO_COMPILE = ("R_further", "R_schlick", "lobe_")
-
 
 def media() -> list[tuple[str, str]]:
     """Key and name of what can be a medium: air, and the library; nothing without the package."""
@@ -205,13 +203,11 @@ def _quick_tables(wanted: Recipe, sizes: Mapping[str, tuple[int, int]], name: st
 
 
 def _images(tree: bpy.types.ShaderNodeTree) -> dict[str, bpy.types.Image] | None:
-    """By table, those that are made quickly; None where one is missing or not known."""
+    """By table; None where one is missing or not known."""
     images = {node.image for node in tree.nodes if node.type == "TEX_IMAGE"}
     if not all(image is not None and TABLE in image for image in images):
         return None
-    return {
-        image[TABLE]: image for image in images if not image[TABLE].startswith(_LEFT_TO_COMPILE)
-    }
+    return {image[TABLE]: image for image in images}
 
 
 def _sizes(images: Mapping[str, bpy.types.Image]) -> dict[str, tuple[int, int]]:

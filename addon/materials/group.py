@@ -16,7 +16,7 @@ from ..core.form import OSL
 from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
 from ..core.space import Matrix, converted
-from .image import drop_unused, is_missing, table_image
+from .image import TABLE_FORM, drop_unused, is_missing, table_image
 from .script import fill_script_node
 
 SCHEMA_VERSION = 2
@@ -187,6 +187,7 @@ def _add_node(group: bpy.types.NodeTree, material: CompiledMaterial, item) -> bp
     if item.table:
         table = next(table for table in material.tables if table.name == item.table)
         node.image = table_image(material, table)
+        node[TABLE_FORM] = table.form
         node.interpolation = "Linear"
         node.extension = "EXTEND"
     for name, value in item.values.items():

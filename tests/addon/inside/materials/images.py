@@ -123,6 +123,18 @@ bpy.ops.wm.open_mainfile(filepath=str(BLEND))
 material = bpy.data.objects["Cube"].active_material
 assert [image.has_data for image in pictures(material)] == [False] * len(pictures(material))
 
+# What is added to others is nothing where it is missing; what a lobe is tinted with is grey.
+new_file()
+bpy.ops.nacre.assign_material(material="oil_on_water", form="osl")
+oil = bpy.context.object.active_material
+removed(oil)
+module("materials.fallback").put_in_place()
+shown = {node.name: node.image.name for node in tree_of(oil).nodes if node.type == "TEX_IMAGE"}
+assert shown["R"] == "nacre_missing_0.5"
+assert {shown[name] for name in shown if name.startswith(("R_further", "R_schlick"))} == {
+    "nacre_missing_0"
+}, shown
+
 # Appended from a file of which the tables are gone; a linked stand-in is not taken for our own.
 name = material.name
 for image in pictures(material):
