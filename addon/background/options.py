@@ -20,22 +20,19 @@ from .scenes import stage_names
 
 DEFAULT_VIEW = "Khronos PBR Neutral"
 
-EXAMPLES = """\
+EPILOG = """\
+Cycles is looked for in this order: NACRE_PYTHON (a Python with bpy), NACRE_BLENDER (a Blender program),
+.venv of the checkout or the prefix, python3, blender on the path.
+
 examples:
-  nacre render --material soap_film --stage bubble -o bubble.png
-  nacre render --material oil_on_water --set thickness_nm=420 --stage furnace --size 128x128 -o oil.exr
-  nacre render --material oil_on_water --set substrate=Au/Johnson --set range_nm=0:300 -o gilt.png
-  nacre render --material soap_film --technique airy --stage bubble -o airy.png
-  nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
-  nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
-  nacre render --material oil_on_water --stage plane --vary drop:base_nm=100,height_nm=600,radius=0.4 -o drop.png
-  nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-48 -o thin_##.png
-  nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
-  nacre render --batch looks.csv --stage shaderball --samples 64 -o looks/
-  nacre render --material soap_film --stage sphere --pixel 320 240 --json
-  nacre render --material soap_film --stage sphere --aov thickness --aov cos_theta -o bubble.exr
-  nacre render --gallery --size 256x256 --samples 64 -o gallery/
-  nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o shot_####.exr
+  nacre render --material soap_film --stage bubble --vary drainage --vary swirl -o bubble.png
+  nacre render --template my_film.toml --set thickness_nm=320 --stage furnace -o furnace.exr
+  nacre render --material soap_film --technique airy --stage sphere -o airy.png
+  nacre render --material oil_on_water --vary drop:base_nm=100,height_nm=600,radius=0.4 -o drop.png
+  nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-2 -o thin_##.png
+  nacre render --material oil_on_water --thickness-map new.exr --range 100:800 -o spill.png
+  nacre render --batch looks.csv --stage furnace -o looks/
+  nacre render --material soap_film --stage sphere --pixel 4 4 --json
 """
 
 
@@ -54,7 +51,7 @@ def parser() -> argparse.ArgumentParser:
     made = _Parser(
         prog="nacre render",
         description="Render a material on a stage, or a .blend with materials, through Cycles.",
-        epilog=EXAMPLES,
+        epilog=EPILOG,
         formatter_class=argparse.RawDescriptionHelpFormatter,
     )
     what = made.add_argument_group("what to render (one of these)")
@@ -126,11 +123,22 @@ def parser() -> argparse.ArgumentParser:
         "--range", metavar="LOW:HIGH", type=_range, help="thicknesses of black and white in the map"
     )
     blend = made.add_argument_group("a .blend file")
-    blend.add_argument("--assign", metavar="OBJECT=ID", action="append", default=[])
+    blend.add_argument(
+        "--assign",
+        metavar="OBJECT=ID",
+        action="append",
+        default=[],
+        help="gives an object a material of the library; may be repeated",
+    )
     blend.add_argument(
         "--scene", metavar="NAME", help="default: the one that the file was saved with"
     )
-    made.add_argument("--frames", metavar="A-B", type=_frames, help="default: the current frame")
+    made.add_argument(
+        "--frames",
+        metavar="A-B",
+        type=_frames,
+        help="of what moves; #### in the output's name is the frame; default: the current one",
+    )
     made.add_argument(
         "--resume", action="store_true", help="leave out frames whose files are there already"
     )

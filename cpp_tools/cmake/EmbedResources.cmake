@@ -15,7 +15,7 @@ function(nacre_embed)
         set(prefix "${CMAKE_MATCH_2}")
         file(GLOB_RECURSE found CONFIGURE_DEPENDS
              "${folder}/*.yml" "${folder}/*.csv" "${folder}/*.h" "${folder}/*.toml"
-             "${folder}/*.py" "${folder}/*.osl")
+             "${folder}/*.py" "${folder}/*.osl" "${folder}/*.txt")
         foreach(file IN LISTS found)
             file(RELATIVE_PATH name "${folder}" "${file}")
             list(APPEND list "${prefix}${name}=${file}")

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <utility>
 
 namespace nacre::material {
@@ -49,12 +50,9 @@ constexpr std::array kLookFields{
 /// Of all sliders, each once.
 std::vector<std::string_view> sorted_names(std::span<const SliderInfo> sliders)
 {
-    std::vector<std::string_view> names;
-    for (const SliderInfo& slider : sliders) names.push_back(slider.name);
-    std::ranges::sort(names);
-    const auto rest = std::ranges::unique(names);
-    names.erase(rest.begin(), rest.end());
-    return names;
+    std::set<std::string_view> names;
+    for (const SliderInfo& slider : sliders) names.insert(slider.name);
+    return {names.begin(), names.end()};
 }
 
 /// a to z, 0 to 9 and _, a letter first.

@@ -267,9 +267,9 @@ std::string add_further(Graph& graph, const TableSurface& surface, const TableIn
 /// Socket with the colour of one quantity and substrate, `R` or `R_bare`, at the roughness.
 std::string add_colour(Graph& graph, const TableSurface& surface, const TableColour& colour)
 {
-    const std::string smooth = colour.smooth.name() + ".Color";
+    std::string smooth = colour.smooth.name() + ".Color";
     if (!colour.rough) return smooth;
-    const std::string mean = add_roughened(graph, surface, *colour.rough, smooth, kSeen);
+    std::string mean = add_roughened(graph, surface, *colour.rough, smooth, kSeen);
     if (!colour.further) return mean;
     const std::string suffix = colour.smooth.role.is_bare ? "_bare" : "";
     const std::string once =
@@ -283,7 +283,7 @@ std::string add_colour(Graph& graph, const TableSurface& surface, const TableCol
 std::string add_faded(Graph& graph, const TableSurface& surface, TableOf of)
 {
     const FadedColour colour = surface.faded(of);
-    const std::string film = add_colour(graph, surface, colour.film);
+    std::string film = add_colour(graph, surface, colour.film);
     if (!colour.bare) return film;
     return add_mix(graph, colour.film.smooth.name() + "_faded", "input.coverage",
                    add_colour(graph, surface, *colour.bare), film);

@@ -117,7 +117,7 @@ std::string indented(std::string_view statements)
 /// The lobe of the surface itself.
 std::string reflection(const TableSurface& surface)
 {
-    const std::string tinted = "    BSDF = nacre_tinted_lobe(surface_normal, R, facets);\n";
+    std::string tinted = "    BSDF = nacre_tinted_lobe(surface_normal, R, facets);\n";
     if (!surface.powers) return tinted;
     return "    if (exact_rough && nacre_level(facets.seen) >= 1.0) {\n" +
            indented(further_colour(surface) + power_lobes(surface)) + "    } else {\n" +
@@ -168,6 +168,7 @@ std::vector<std::string> looked_up(const TableInfo& table)
 {
     if (table.role.form != TableForm::powers) return {table.name()};
     std::vector<std::string> names;
+    names.reserve(static_cast<std::size_t>(table.x.texels));
     for (int k = 0; k < table.x.texels; ++k) names.push_back(fmt::format("{}_{}", table.name(), k));
     return names;
 }

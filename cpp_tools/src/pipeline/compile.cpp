@@ -31,7 +31,7 @@ CompiledMaterial compile(const MaterialTemplate& source, const CompileOptions& o
                                     "must be a film where colours are not adapted (--cat none): "
                                     "glasses and gratings split white light"});
     auto [program, tables] = source.kind->prepare(source, options);
-    program.head = source;
+    program.head = static_cast<const material::TemplateHead&>(source);
     program.kind = source.kind->name();
     program.traits = source.kind->traits();
     program.colours = colour_system(options);

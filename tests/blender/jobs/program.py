@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 import runpy
 import sys
 from pathlib import Path
@@ -24,6 +25,15 @@ def script(file: str, arguments: list[str]) -> None:
         for name in set(sys.modules) - before:
             if str(getattr(sys.modules[name], "__file__", "")).startswith(folder):
                 del sys.modules[name]
+
+
+def render_help(columns: int) -> str:
+    """What `driver.py render --help` prints on a terminal of that width."""
+    os.environ["COLUMNS"] = str(columns)
+    try:
+        return extension.module("background.options").parser().format_help()
+    finally:
+        del os.environ["COLUMNS"]
 
 
 def render(arguments: list[str]) -> int:

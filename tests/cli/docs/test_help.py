@@ -37,6 +37,7 @@ FILES = {
     "lamp.spdx": (CORPUS / "spdx" / "lamp.spdx").read_text("utf-8"),
     "film.csv": "wavelength_nm,n,k\n350,1.5,0\n850,1.46,0\n",
     "Au.eta.spd": "380 1.4\n760 0.2\n",
+    "looks.csv": "output,material,thickness_nm\nthin.png,soap_film,100\nthick.png,soap_film,700\n",
     "Au.k.spd": "380 1.9\n760 4.3\n",
 }  # fmt: skip
 IMAGES = {
@@ -101,6 +102,15 @@ def test_every_example_runs(nacre, inputs, tmp_path, command):
         if renders and not any(os.environ.get(name) for name in ("NACRE_PYTHON", "NACRE_BPY45")):
             pytest.skip("needs a Blender")
         run("sh", text + SMALL if renders else text, folder, nacre.program)
+
+
+def test_help_of_render_is_that_of_its_options(blenders, tmp_path):
+    """cpp_tools/generators/write_render_help.py writes it anew. Python words help otherwise from one
+    version to the next: that of Blender 4.5 it is."""
+    blender = blenders.get("4.5", tmp_path)
+    if blender is None:
+        pytest.skip("NACRE_BPY45 names no Python with bpy 4.5")
+    assert help_of("render") == blender.call("program.render_help", columns=112)
 
 
 def test_all_commands_are_found():

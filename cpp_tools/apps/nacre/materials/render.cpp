@@ -13,6 +13,7 @@
 #include "files/staged_folder.h"
 #include "materials/compile.h"
 #include "nacre/core/diagnostics.h"
+#include "nacre/core/resources.h"
 #include "shared/child_process.h"
 #include "shared/python_search.h"
 #include "shared/session.h"
@@ -23,44 +24,6 @@ namespace nacre::tool {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kRenderHelp = R"(A picture of a material, by Blender's Cycles in background
-Usage: nacre [--quiet] render --material ID|--template FILE.toml [options] -o FILE.exr|.png
-       nacre [--quiet] render --blend FILE [--assign OBJECT=ID …] [--frames A-B] -o FILE
-
-Options:
-  --material ID          a material of the library (nacre library list --kind templates)
-  --template FILE        a template; it is compiled first
-  --set NAME=VALUE       a socket of the material, e.g. thickness_nm=320; may be repeated
-  --stage NAME           furnace, sphere, plane, bubble, shaderball, disc, prism or gem
-  --technique NAME       what a film's reflectance is computed by, for comparison, e.g. airy
-  --vary SOURCE[:NAME=VALUE,…]
-                         thickness that varies; may be repeated, swirl and spread last:
-                         drop (base_nm, height_nm, centre X:Y, radius), drainage (bottom_nm, time,
-                         black_film, black_thickness_nm), swirl (amount, scale, flow, time_s), spread
-                         (spread_nm); centre and radius in texture coordinates; of a material with
-                         thickness_scale _scale stands for _nm
-  --thickness-map FILE   a picture of the thickness; --range LOW:HIGH what black and white mean
-  --pixel X Y            thickness, angle, spectrum and colour of the film there; needs no -o
-  --aov NAME             a pass in a file beside the picture: normal, uv, to_camera, to_light,
-                         thickness or cos_theta; may be repeated
-  --quiet                nothing but errors, of Blender and its libraries too
-  --samples N            samples a pixel
-  --size WxH             pixels
-  --seed S               of the noise; the same seed gives the same pixels
-  --blend FILE           a scene of one's own instead of a stage
-  --assign OBJECT=ID     gives an object a material; may be repeated
-  --scene NAME           of a file with several
-  --frames A-B           frames of the scene, or of a swirl; #### in the output's name is the frame
-  -o, --output FILE      .exr scene-linear, .png for the screen
-
-Cycles is looked for in this order: NACRE_PYTHON (a Python with bpy), NACRE_BLENDER (a Blender program),
-.venv of the checkout or the prefix, python3, blender on the path.
-
-  nacre render --material soap_film --stage bubble --samples 64 -o bubble.png
-  nacre render --template my_film.toml --set thickness_nm=320 --stage furnace -o furnace.exr
-  nacre render --material oil_on_water --vary drop:base_nm=100,height_nm=600,radius=0.4 -o drop.png
-)";
 
 constexpr const char* kHowToInstall =
     "no Blender was found: set NACRE_PYTHON to a Python with bpy (pip install \"bpy==4.5.*\" on "
@@ -201,7 +164,8 @@ int run_driver(const Session& session, const std::vector<std::string>& command)
 int render(Session session, std::vector<std::string> arguments)
 {
     if (arguments.empty() || is_given(arguments, {"-h", "--help"})) {
-        write_text_output("", kRenderHelp);
+        // Written by write_render_help.py: the options are those of the program that renders.
+        write_text_output("", std::string(find_resource("help/render.txt").value()));
         return arguments.empty() ? kExitInputError : kExitOk;
     }
     pass_global_options(session, arguments);

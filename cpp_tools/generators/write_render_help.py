@@ -1,0 +1,33 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""What `nacre render --help` prints, from the options of the program that renders.
+
+    .venv/bin/python cpp_tools/generators/write_render_help.py >cpp_tools/apps/nacre/help/render.txt
+
+Needs a Python with bpy, as that program does.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+COLUMNS = 112
+_DRIVER = Path(__file__).parents[2] / "addon" / "background" / "driver.py"
+
+
+def text() -> str:
+    spec = importlib.util.spec_from_file_location("nacre_driver", _DRIVER)
+    driver = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(driver)
+    driver.load_package()
+    options = importlib.import_module(f"{driver.PACKAGE}.background.options")
+    os.environ["COLUMNS"] = str(COLUMNS)
+    return options.parser().format_help()
+
+
+if __name__ == "__main__":
+    sys.stdout.write(text())
