@@ -9,6 +9,8 @@ import runpy
 import sys
 from pathlib import Path
 
+import bpy
+
 from . import extension
 
 
@@ -34,6 +36,17 @@ def render_help(columns: int) -> str:
         return extension.module("background.options").parser().format_help()
     finally:
         del os.environ["COLUMNS"]
+
+
+def save_scene(file: str) -> None:
+    """A cube of oil in the light of a new file, as a user may have it."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True)
+    extension.load().register()
+    try:
+        bpy.ops.nacre.assign_material(material="oil_on_water")
+        bpy.ops.wm.save_as_mainfile(filepath=file)
+    finally:
+        extension.load().unregister()
 
 
 def render(arguments: list[str]) -> int:

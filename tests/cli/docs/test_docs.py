@@ -2,9 +2,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the documents tell a reader to type works.
 
-A fenced block is run when `<!-- run -->` stands on the line before it; one with
-`<!-- file: NAME -->` is that file, there for the blocks after it; one with `<!-- prints -->` is what
-the block before it prints, with numbers cut as the page likes.
+A fenced block of commands has a mark on the line before it:
+
+    <!-- run -->         it is run, as a shell or Python does
+    <!-- render -->      so are its commands, with few pixels and frames, where there is a Blender
+    <!-- file: NAME -->  it is that file, there for the blocks after it
+    <!-- prints -->      it is what the block before it prints, with numbers cut as the page likes
+    <!-- not run -->     it needs what a test has not, or takes too long; the page says so
 """
 
 from __future__ import annotations
@@ -24,18 +28,15 @@ from support.typed import run
 DOCUMENTS = (
     "README.md",
     "CONTRIBUTING.md",
-    "cpp_tools/doc/colour.md",
-    "cpp_tools/doc/export.md",
-    "cpp_tools/doc/interfaces.md",
-    "cpp_tools/doc/library.md",
-    "cpp_tools/doc/models.md",
-    "cpp_tools/doc/sampling.md",
-    "cpp_tools/doc/textures.md",
+    *sorted(f"cpp_tools/doc/{page.name}" for page in (ROOT / "cpp_tools/doc").glob("*.md")),
 )
 BLOCK = re.compile(
-    r"<!-- (?P<kind>run|prints|file: (?P<name>\S+)) -->\n```(?P<language>\w+)\n(?P<text>.*?)```",
+    r"<!-- (?P<kind>run|render|prints|not run|file: (?P<name>\S+)) -->\n"
+    r"```(?P<language>\w+)\n(?P<text>.*?)```",
     re.DOTALL,
 )
+FENCE = re.compile(r"^(?P<before>[^\n]*)\n```(?P<language>\w*)\n.*?^```$", re.MULTILINE | re.DOTALL)
+COMMANDS = {"", "sh", "bash", "console", "python", "c", "cpp"}
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
@@ -57,6 +58,19 @@ def assert_prints(shown: str, printed: str) -> None:
         assert abs(float(number) - float(full)) <= 0.51 * unit, f"{number} stands for {full}"
 
 
+RENDERING = [
+    document
+    for document in DOCUMENTS
+    if any(block["kind"] == "render" for block in marked_blocks(document))
+]
+
+
+def small(command: str) -> str:
+    """`nacre render` as quick as it can be; a pixel that is probed needs no picture."""
+    command = re.sub(r"--frames 1-\d+", "--frames 1-2", command)
+    return command if "--pixel" in command else f"{command} --size 8x8 --samples 1"
+
+
 @pytest.mark.parametrize("document", DOCUMENTS)
 def test_commands_of_the_document_run(document, nacre, tmp_path):
     printed = ""
@@ -65,8 +79,34 @@ def test_commands_of_the_document_run(document, nacre, tmp_path):
             (tmp_path / block["name"]).write_text(block["text"], encoding="utf-8")
         elif block["kind"] == "prints":
             assert_prints(block["text"], printed)
-        else:
+        elif block["kind"] == "run":
             printed = run(block["language"], block["text"], tmp_path, nacre.program)
+
+
+@pytest.mark.parametrize("document", RENDERING)
+def test_commands_that_render_run(document, blenders, nacre, tmp_path):
+    blender = blenders.get("4.5", tmp_path)
+    if blender is None:
+        pytest.skip("NACRE_BPY45 names no Python with bpy 4.5")
+    Image.new("L", (4, 4), 128).save(tmp_path / "spill.png")
+    blender.call("program.save_scene", file=str(tmp_path / "shot.blend"))
+    for block in marked_blocks(document):
+        if block["name"]:
+            (tmp_path / block["name"]).write_text(block["text"], encoding="utf-8")
+        elif block["kind"] == "render":
+            for command in block["text"].splitlines():
+                run("sh", small(command), tmp_path, nacre.program)
+
+
+@pytest.mark.parametrize("document", DOCUMENTS)
+def test_every_block_of_commands_is_marked(document):
+    text = (ROOT / document).read_text(encoding="utf-8")
+    unmarked = [
+        found.group()
+        for found in FENCE.finditer(text)
+        if found["language"] in COMMANDS and not found["before"].startswith("<!-- ")
+    ]
+    assert not unmarked
 
 
 def test_readme_has_commands_to_run():
@@ -88,7 +128,7 @@ def test_links_of_the_document_lead_somewhere(document):
 def test_pictures_of_the_readme_are_large_and_light():
     """As `./dev demo --pictures` makes them: sharp on any screen, and few bytes in each clone."""
     text = (ROOT / "README.md").read_text(encoding="utf-8")
-    pictures = [ROOT / name for name in re.findall(r'<img src="([^"]+)"', text)]
+    pictures = [ROOT / name for name in re.findall(r'<img src="(examples/[^"]+)"', text)]
     assert len(pictures) == 6
     assert all(Image.open(path).size == (1200, 800) for path in pictures)
     sizes = [path.stat().st_size for path in pictures]
