@@ -24,7 +24,7 @@ namespace nacre::material {
 /// A number that may be the artist's to change.
 struct Quantity {
     double value = 0.0;  ///< the default
-    std::optional<double> min, max;
+    std::optional<double> min{}, max{};
     bool varies = false;  ///< becomes a socket and an axis of the table
     int line = 0;
 };

@@ -20,7 +20,7 @@ namespace nacre::material {
 /// or default.
 struct SliderInfo {
     std::string_view name;
-    std::string_view label, help;
+    std::string_view label{}, help{};
     double value = 0.0;
     double max = 1.0;   ///< where the template says nothing
     double most = 1.0;  ///< that the template may say

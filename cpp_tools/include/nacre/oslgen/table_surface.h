@@ -77,7 +77,7 @@ struct TableSurface {
     std::variant<OpaqueBase, ThinWall, SolidGlass, MattBase> below;
     bool is_brushed = false;  ///< with the sockets `anisotropy`, `rotation` and `tangent`
     bool fades = false;       ///< to the bare substrate, by the socket `coverage`
-    std::optional<PowerLobes> powers;
+    std::optional<PowerLobes> powers{};
 
     /// Table of this role, or nothing.
     [[nodiscard]] const TableInfo* find(const TableRole& role) const;
