@@ -31,7 +31,7 @@ shader nacre_sample
 {
     nacre_thing thing = { clamp(orders, 1, 9), max(depth_nm, 0.0), thing.depth_nm };
     float index = helper(depth_nm);
-    BSDF = nacre_lobes(thing, surface_normal, index, edges, a_rather_long_name, another_longer_name, tint);
+    BSDF = nacre_lobes(thing, surface_normal, index, edges, a_rather_long_name, another_much_longer_name, tint);
 }
 )osl";
 
@@ -64,7 +64,7 @@ TEST(ShaderSource, TakesWhatAMaterialKnows)
               "    nacre_thing thing = { 9, 85.5, thing.depth_nm };\n"
               "    float index = nacre_index(knots, 360.0);\n"
               "    BSDF = nacre_lobes(thing, surface_normal, index, edges, a_rather_long_name,\n"
-              "                       another_longer_name, color(1.0));\n");
+              "                       another_much_longer_name, color(1.0));\n");
 }
 
 TEST(ShaderSource, DropsWhatAConstantReplaces)
