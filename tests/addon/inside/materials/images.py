@@ -123,17 +123,6 @@ bpy.ops.wm.open_mainfile(filepath=str(BLEND))
 material = bpy.data.objects["Cube"].active_material
 assert [image.has_data for image in pictures(material)] == [False] * len(pictures(material))
 
-# What is added to others is nothing where it is missing; what a lobe is tinted with is grey.
-new_file()
-bpy.ops.nacre.assign_material(material="test_film", form="nodes")
-dark = bpy.context.object.active_material
-nodes = [node for node in tree_of(dark).nodes if node.type == "TEX_IMAGE"]
-nodes[0][image_module.TABLE_FORM] = "further"
-removed(dark)
-module("materials.fallback").put_in_place()
-stand_ins = [node.image.name for node in nodes]
-assert stand_ins == ["nacre_missing_0", *["nacre_missing_0.5"] * (len(nodes) - 1)], stand_ins
-
 # Appended from a file of which the tables are gone; a linked stand-in is not taken for our own.
 name = material.name
 for image in pictures(material):
@@ -151,4 +140,15 @@ if hasattr(bpy.app.handlers, "blend_import_post"):
     with bpy.data.libraries.load(str(folder / "gone.blend"), link=False) as (_, wanted):
         wanted.materials = [name]
     assert all(image.get(image_module.FALLBACK) for image in pictures(wanted.materials[0]))
+
+# What is added to others is nothing where it is missing; what a lobe is tinted with is grey.
+new_file()
+bpy.ops.nacre.assign_material(material="test_film", form="nodes")
+dark = bpy.context.object.active_material
+nodes = [node for node in tree_of(dark).nodes if node.type == "TEX_IMAGE"]
+nodes[0][image_module.TABLE_FORM] = "further"
+removed(dark)
+module("materials.fallback").put_in_place()
+stand_ins = [node.image.name for node in nodes]
+assert stand_ins == ["nacre_missing_0", *["nacre_missing_0.5"] * (len(nodes) - 1)], stand_ins
 extension.unregister()
