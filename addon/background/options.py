@@ -25,14 +25,20 @@ Cycles is looked for in this order: NACRE_PYTHON (a Python with bpy), NACRE_BLEN
 .venv of the checkout or the prefix, python3, blender on the path.
 
 examples:
-  nacre render --material soap_film --stage bubble --vary drainage --vary swirl -o bubble.png
-  nacre render --template my_film.toml --set thickness_nm=320 --stage furnace -o furnace.exr
-  nacre render --material soap_film --technique airy --stage sphere -o airy.png
+  nacre render --material soap_film --stage bubble -o bubble.png
+  nacre render --material oil_on_water --set thickness_nm=420 --stage furnace --size 128x128 -o oil.exr
+  nacre render --material oil_on_water --set substrate=Au/Johnson --set range_nm=0:300 -o gilt.png
+  nacre render --material soap_film --technique airy --stage bubble -o airy.png
+  nacre render --template beetle.toml --stage shaderball --samples 256 --denoise -o a.exr -o a.png
+  nacre render --material soap_film --stage bubble --vary drainage --vary swirl --frames 1-48 -o f_##.png
   nacre render --material oil_on_water --vary drop:base_nm=100,height_nm=600,radius=0.4 -o drop.png
-  nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-2 -o thin_##.png
-  nacre render --material oil_on_water --thickness-map new.exr --range 100:800 -o spill.png
-  nacre render --batch looks.csv --stage furnace -o looks/
-  nacre render --material soap_film --stage sphere --pixel 4 4 --json
+  nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-48 -o thin_##.png
+  nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
+  nacre render --batch looks.csv --stage shaderball --samples 64 -o looks/
+  nacre render --material soap_film --stage sphere --pixel 320 240 --json
+  nacre render --material soap_film --stage sphere --aov thickness --aov cos_theta -o bubble.exr
+  nacre render --gallery --size 256x256 --samples 64 -o gallery/
+  nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o shot_####.exr
 """
 
 

@@ -10,8 +10,8 @@ Needs a Python with bpy, as that program does.
 from __future__ import annotations
 
 import importlib
-import importlib.util
 import os
+import runpy
 import sys
 from pathlib import Path
 
@@ -20,13 +20,9 @@ _DRIVER = Path(__file__).parents[2] / "addon" / "background" / "driver.py"
 
 
 def text() -> str:
-    spec = importlib.util.spec_from_file_location("nacre_driver", _DRIVER)
-    driver = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(driver)
-    driver.load_package()
-    options = importlib.import_module(f"{driver.PACKAGE}.background.options")
+    package = runpy.run_path(str(_DRIVER), run_name="driver")["load_package"]().__name__
     os.environ["COLUMNS"] = str(COLUMNS)
-    return options.parser().format_help()
+    return importlib.import_module(f"{package}.background.options").parser().format_help()
 
 
 if __name__ == "__main__":

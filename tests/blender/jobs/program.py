@@ -29,15 +29,6 @@ def script(file: str, arguments: list[str]) -> None:
                 del sys.modules[name]
 
 
-def render_help(columns: int) -> str:
-    """What `driver.py render --help` prints on a terminal of that width."""
-    os.environ["COLUMNS"] = str(columns)
-    try:
-        return extension.module("background.options").parser().format_help()
-    finally:
-        del os.environ["COLUMNS"]
-
-
 def save_scene(file: str) -> None:
     """A cube of oil in the light of a new file, as a user may have it."""
     bpy.ops.wm.read_homefile(use_factory_startup=True)
