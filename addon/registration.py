@@ -14,6 +14,7 @@ NAMES = (
     "browser",
     "lighting",
     "materials",
+    "presets",
     "films",
     "thickness",
     "gems",

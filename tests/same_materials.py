@@ -56,8 +56,10 @@ def differences(before: Path, after: Path, fields: Counter[str]) -> Iterator[str
         if not folder.is_dir():
             sys.exit(f"{folder}: no such folder")
     names = [{p.relative_to(d) for p in d.rglob("*") if p.is_file()} for d in (before, after)]
+    known = {path.parts[0] for path in names[0]}
     for name in sorted(names[0] ^ names[1]):
-        yield f"{name}: only {'before' if name in names[0] else 'after'}"
+        if name.parts[0] in known:
+            yield f"{name}: only {'before' if name in names[0] else 'after'}"
     for name in sorted(names[0] & names[1]):
         one, other = before / name, after / name
         if name.suffix == ".json":
@@ -81,7 +83,10 @@ def main(arguments: list[str]) -> int:
     before, after = map(Path, arguments)
     fields: Counter[str] = Counter()
     found = list(differences(before, after, fields))
-    print("\n".join(found) if found else f"{len(list(after.iterdir()))} materials are the same")
+    kept, now = ({path.name for path in folder.iterdir()} for folder in (before, after))
+    print("\n".join(found) if found else f"{len(kept)} materials are the same")
+    if now - kept:
+        print(f"  new: {', '.join(sorted(now - kept))}")
     for path, count in sorted(fields.items()):
         print(f"  manifests have gained {path} ({count})")
     return 1 if found else 0

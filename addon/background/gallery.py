@@ -211,7 +211,9 @@ def _told(value: Value, item: Input, thickness_unit: str) -> str:
 
 
 def _facts(material: CompiledMaterial) -> list[tuple[str, str]]:
-    licence = re.search(r"^# SPDX-License-Identifier: (\S+)$", material.template, re.MULTILINE)
+    licence = re.search(
+        r"^(?:#|//) SPDX-License-Identifier: (\S+)$", material.template, re.MULTILINE
+    )
     facts = [
         ("Found by", ", ".join(material.tags)),
         ("Source", material.source),

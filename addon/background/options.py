@@ -98,6 +98,7 @@ def parser() -> argparse.ArgumentParser:
         help="a value of the material, or of its stack: layers.0.thickness_nm=420, "
         "layers.0.medium=TiO2/Sarkar, layers.0.coherent=false, ambient, substrate, range_nm=LOW:HIGH",
     )
+    stage.add_argument("--preset", metavar="NAME", help="of the material, before what --set says")
     stage.add_argument(
         "--technique",
         choices=TECHNIQUES,
@@ -284,12 +285,17 @@ def _check_source(options: argparse.Namespace) -> None:
         raise UsageError(f"{'--assign' if options.assign else '--scene'} needs --blend")
     varied = options.vary or options.thickness_map
     of_a_stage = (
-        options.stage or options.look or options.set or options.animate or options.technique
+        options.stage
+        or options.look
+        or options.preset
+        or options.set
+        or options.animate
+        or options.technique
     )
     if options.blend is not None and (of_a_stage or varied):
         raise UsageError(
-            "--stage, --look, --set, --technique, --animate, --vary and --thickness-map do not go with "
-            "--blend"
+            "--stage, --look, --preset, --set, --technique, --animate, --vary and --thickness-map do not go "
+            "with --blend"
         )
     moves = options.blend or options.animate or options.look or _swirls(options)
     if options.frames and not moves:

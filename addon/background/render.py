@@ -24,6 +24,7 @@ from ..core.faults import ForeseenError
 from ..core.form import OSL, choose_form
 from ..core.library import Library
 from ..core.manifest import CompiledMaterial, from_memory, load_folder
+from ..core.presets import named
 from ..core.values import parse_assignments
 from ..films.stack import StackError, edit, is_path, read_stack, write_template
 from ..gems import cut_stone
@@ -231,11 +232,12 @@ def _stage_job(options: argparse.Namespace) -> Job:
     values = parse_assignments(
         compiled, [text for text in options.set if not is_path(text.partition("=")[0])]
     )
+    preset = dict(named(compiled.presets, options.preset).values) if options.preset else {}
     stage_name = options.stage or ("portrait" if options.look else compiled.traits.stage)
     stage = build_stage(stage_name, compiled.look.object)
     job = Job(stage.scene)
     material = _add_material(job, compiled, options.form)
-    set_values(material, values)
+    set_values(material, preset | values)
     stage.place(material)
     if options.vary or options.thickness_map:
         render_thickness.vary(material, compiled, options)

@@ -15,6 +15,7 @@ from .faults import ForeseenError
 from .graph import Graph, parse_graph
 from .light import USUAL, Conditions, conditions_problem
 from .looks import PLAIN, Look, look_of
+from .presets import Preset, parse_presets
 from .space import REC709, Matrix, SpaceError, parse
 from .traits import UNSAID, Traits, assumed, parse_traits
 
@@ -60,7 +61,7 @@ class Table:
     file: str
     width: int
     height: int
-    form: str = ""  # smooth, rough, further or powers; empty where an older tool wrote none
+    content: str = ""  # smooth, rough, further or powers; empty where an older tool wrote none
 
 
 @dataclass(frozen=True)
@@ -88,6 +89,7 @@ class CompiledMaterial:
     notes: tuple[str, ...] = ()  # of media that are held where their data end
     conditions: Conditions = USUAL
     look: Look = PLAIN
+    presets: tuple[Preset, ...] = ()
     directory: Path | None = None
     texels: Mapping[str, Any] = field(default_factory=dict)  # float32 (H, W, 3), row 0 on top
 
@@ -196,6 +198,8 @@ def _material(
     notes = _parse_notes(data, where, problems)
     conditions = _parse_conditions(data, where, problems)
     traits = _parse_traits(data, where, graphs, problems)
+    numbers = [socket.name for socket in sockets if socket.type in ("float", "int")]
+    presets = parse_presets(data.get("presets", []), f"{where}: presets", numbers, problems)
     look = look_of(data)
     if look is None:
         problems.append(
@@ -229,6 +233,7 @@ def _material(
         notes=notes,
         conditions=conditions,
         look=look or PLAIN,
+        presets=presets,
         directory=directory,
         texels=texels,
     )
@@ -341,8 +346,8 @@ def _parse_tables(data: list[dict[str, Any]], where: str, problems: list[str]) -
             problems.append(f"{at}: width and height must be whole numbers above 0 (got {shape})")
             continue
         role = item.get("role")
-        form = role.get("form", "") if isinstance(role, dict) else ""
-        tables.append(Table(name, file, *shape, form=str(form)))
+        content = role.get("content", "") if isinstance(role, dict) else ""
+        tables.append(Table(name, file, *shape, content=str(content)))
     return tuple(tables)
 
 

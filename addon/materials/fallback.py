@@ -12,7 +12,7 @@ from bpy.app.handlers import persistent
 
 from . import group as groups
 from . import schema
-from .image import FALLBACK, TABLE_FORM, is_missing, mend_spaces
+from .image import FALLBACK, TABLE_CONTENT, is_missing, mend_spaces
 
 _GREY, _NOTHING = 0.5, 0.0
 _SUMS = ("further", "powers")  # what is added to others: nothing
@@ -26,7 +26,7 @@ def put_in_place() -> list[str]:
             continue
         gaps = [n for n in group.nodes if n.type == "TEX_IMAGE" and is_missing(n.image)]
         for node in gaps:
-            value = _NOTHING if node.get(TABLE_FORM) in _SUMS else _GREY
+            value = _NOTHING if node.get(TABLE_CONTENT) in _SUMS else _GREY
             node.image = _flat(value)
             group[groups.DIGEST] = ""  # not to be found as a sound one
         if gaps:

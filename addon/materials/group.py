@@ -12,11 +12,12 @@ from typing import Any
 import bpy
 
 from ..blender import space
+from ..core import presets
 from ..core.form import OSL
 from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
 from ..core.space import Matrix, converted
-from .image import TABLE_FORM, drop_unused, is_missing, table_image
+from .image import TABLE_CONTENT, drop_unused, is_missing, table_image
 from .script import fill_script_node
 
 SCHEMA_VERSION = 2
@@ -36,6 +37,7 @@ SCHEMA_VERSION = 2
     NOTES,
     CONDITIONS,
     TRAITS,
+    PRESETS,
 ) = (
     "nacre_material",
     "nacre_kind",
@@ -50,6 +52,7 @@ SCHEMA_VERSION = 2
     "nacre_notes",
     "nacre_conditions",
     "nacre_traits",
+    "nacre_presets",
 )
 
 
@@ -134,6 +137,8 @@ def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> No
     group[NOTES] = "\n".join(material.notes)
     group[CONDITIONS] = json.dumps(material.conditions)
     group[TRAITS] = material.traits.text()
+    if material.presets:
+        group[PRESETS] = presets.text(material.presets)
     group[SOCKETS] = json.dumps(identifiers_in_order(group, material))
     space.state(group)
 
@@ -187,7 +192,7 @@ def _add_node(group: bpy.types.NodeTree, material: CompiledMaterial, item) -> bp
     if item.table:
         table = next(table for table in material.tables if table.name == item.table)
         node.image = table_image(material, table)
-        node[TABLE_FORM] = table.form
+        node[TABLE_CONTENT] = table.content
         node.interpolation = "Linear"
         node.extension = "EXTEND"
     for name, value in item.values.items():

@@ -13,7 +13,7 @@ from ..core.manifest import CompiledMaterial, ManifestError, Table
 from ..core.space import Matrix
 
 DIGEST, TABLE, FALLBACK, SIZE = "nacre_digest", "nacre_table", "nacre_fallback", "nacre_size"
-TABLE_FORM = "nacre_table_form"  # of a node: what its image is a table of
+TABLE_CONTENT = "nacre_table_content"  # of a node: what its image is a table of
 
 
 def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:

@@ -4,7 +4,8 @@
 
 usage: make_thumbnails.py GALLERY -o addon/thumbnails
 
-GALLERY is what `nacre render --gallery --size 256x256` wrote.
+GALLERY is what `nacre render --gallery --size 256x256` wrote, of all materials or, where
+NACRE_MATERIALS has those alone, of some.
 """
 
 from __future__ import annotations
@@ -17,6 +18,19 @@ from PIL import Image
 SIZE = (256, 256)
 
 
+_OSL = Path(__file__).resolve().parents[2] / "osl"
+
+
+def materials() -> set[str]:
+    """Ids of the templates, and of the shaders that say where they are listed."""
+    shaders = (
+        path.stem.removeprefix("nacre_")
+        for path in (_OSL / "shaders").rglob("*.osl")
+        if "string category = " in path.read_text("utf-8")
+    )
+    return {path.stem for path in (_OSL / "templates").glob("*.toml")} | set(shaders)
+
+
 def _is_swatch(path: Path) -> bool:
     return path.stem.endswith("_swatch")
 
@@ -27,19 +41,16 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, required=True)
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
-    wanted = {path.stem for path in options.gallery.glob("*.png") if not _is_swatch(path)}
-    templates = Path(__file__).resolve().parents[2] / "osl" / "templates"
-    missing = {path.stem for path in templates.glob("*.toml")} - wanted
-    if missing:
-        raise SystemExit(f"{options.gallery}: has no picture of {', '.join(sorted(missing))}")
-    for old in options.output.glob("*.jpg"):
-        if old.stem not in wanted:
-            old.unlink()
-    for name in sorted(wanted):
-        picture = Image.open(options.gallery / f"{name}.png").convert("RGB")
+    for path in sorted(options.gallery.glob("*.png")):
+        if _is_swatch(path):
+            continue
+        picture = Image.open(path).convert("RGB")
         if picture.size != SIZE:
-            raise SystemExit(f"{name}.png: must be {SIZE[0]} x {SIZE[1]} (got {picture.size})")
-        picture.save(options.output / f"{name}.jpg", quality=82, optimize=True)
+            raise SystemExit(f"{path.name}: must be {SIZE[0]} x {SIZE[1]} (got {picture.size})")
+        picture.save(options.output / f"{path.stem}.jpg", quality=82, optimize=True)
+    pictured = {path.stem for path in options.output.glob("*.jpg")}
+    if missing := materials() - pictured:
+        raise SystemExit(f"{options.gallery}: has no picture of {', '.join(sorted(missing))}")
 
 
 if __name__ == "__main__":

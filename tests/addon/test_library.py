@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-import tomllib
+import json
 from collections import Counter
 
 import OpenImageIO as oiio
@@ -13,11 +13,11 @@ from nacre_extension.core.catalogues import catalogue_id, catalogue_text, thumbn
 from nacre_extension.core.library import Entry
 from nacre_extension.core.words import finds, synonyms
 
-from support.paths import TEMPLATES
+from support.paths import materials_folder
 
 MATERIALS = {
-    path.stem: tomllib.loads(path.read_text("utf-8"))["material"]
-    for path in sorted(TEMPLATES.glob("*.toml"))
+    path.stem: json.loads(path.read_text("utf-8"))
+    for path in sorted(materials_folder().glob("*/*.json"))
 }
 
 

@@ -10,7 +10,14 @@ from collections.abc import Iterable
 from support.paths import ROOT
 
 INCLUDE = ROOT / "osl" / "include"
-SHADERS = sorted((ROOT / "osl" / "shaders").glob("*.osl"))
+SHADERS = sorted((ROOT / "osl" / "shaders").rglob("*.osl"))
+
+SHADER_MATERIALS = {
+    path.stem.removeprefix("nacre_"): path
+    for path in SHADERS
+    if "string category = " in path.read_text("utf-8")
+}
+"""Those that say where they are listed, by the id of their material."""
 
 
 def inline(text: str, seen: set[str] | None = None) -> str:
@@ -30,7 +37,8 @@ def inline(text: str, seen: set[str] | None = None) -> str:
 
 def shader(name: str) -> str:
     """A shader of the checkout."""
-    return inline((ROOT / "osl" / "shaders" / f"{name}.osl").read_text(encoding="utf-8"))
+    path = next(path for path in SHADERS if path.stem == name)
+    return inline(path.read_text(encoding="utf-8"))
 
 
 def probe(headers: Iterable[str], body: str) -> str:

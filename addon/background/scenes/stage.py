@@ -12,7 +12,17 @@ import bpy
 
 from ...core.faults import ForeseenError
 
-_STAGES = ("furnace", "sphere", "plane", "bubble", "shaderball", "disc", "prism", "gem", "portrait")
+STAGES = (
+    "furnace",
+    "sphere",
+    "plane",
+    "bubble",
+    "shaderball",
+    "disc",
+    "prism",
+    "gem",
+    "portrait",
+)
 
 
 class StageError(ForeseenError):
@@ -31,14 +41,14 @@ class Stage:
 
 
 def stage_names() -> tuple[str, ...]:
-    return _STAGES
+    return STAGES
 
 
 def build_stage(name: str, object_name: str = "") -> Stage:
     """Replaces the open file by the stage; preferences and extensions stay. `object_name`: what stands
     on the stage `portrait`, if not its usual object."""
-    if name not in _STAGES:
-        raise StageError(f"unknown stage {name!r}; there are: {', '.join(_STAGES)}")
+    if name not in STAGES:
+        raise StageError(f"unknown stage {name!r}; there are: {', '.join(STAGES)}")
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
     scene = bpy.context.scene
     scene.render.engine = "CYCLES"

@@ -14,6 +14,8 @@
 #include "base/kind_info.h"
 #include "nacre/core/sha256.h"
 #include "nacre/material/schema.h"
+#include "nacre/oslgen/shader_source.h"
+#include "shader/hand_written.h"
 
 namespace nacre::kinds {
 namespace {
@@ -65,13 +67,14 @@ void read_template(Section& root, MaterialTemplate& result)
 
 }  // namespace
 
-MaterialTemplate parse_template(std::string_view toml, std::string_view file)
+MaterialTemplate parse_template(std::string_view text, std::string_view file)
 {
+    if (oslgen::is_shader_text(text)) return read_shader(text, file);
     MaterialTemplate result;
     result.file = file;
-    result.text = toml;
-    result.sha256 = sha256_hex(toml);
-    material::read_toml(toml, file, [&](Section& root) { read_template(root, result); });
+    result.text = text;
+    result.sha256 = sha256_hex(text);
+    material::read_toml(text, file, [&](Section& root) { read_template(root, result); });
     return result;
 }
 

@@ -70,14 +70,6 @@ bool is_file_name_safe(std::string_view id)
     return id.size() <= 63 && is_plain_word(id);
 }
 
-void check_id(Section& section, const std::string& id)
-{
-    if (!id.empty() && !is_file_name_safe(id))
-        section.report("id", fmt::format("must be a to z, 0 to 9 and _, start with a letter and be "
-                                         "at most 63 characters long (got \"{}\")",
-                                         id));
-}
-
 void read_parameter(Section& section, std::span<const SliderInfo> sliders, TemplateHead& head)
 {
     ParameterSpec parameter;
@@ -166,6 +158,15 @@ const ParameterSpec* TemplateHead::parameter(std::string_view parameter_name) co
     return it == parameters.end() ? nullptr : &*it;
 }
 
+std::string id_problem(std::string_view id)
+{
+    if (is_file_name_safe(id)) return "";
+    return fmt::format(
+        "must be a to z, 0 to 9 and _, start with a letter and be at most 63 "
+        "characters long (got \"{}\")",
+        id);
+}
+
 void read_material(Section& root, TemplateHead& head)
 {
     if (!root.require("material", "a table [material] with id, name, category, source")) return;
@@ -173,7 +174,9 @@ void read_material(Section& root, TemplateHead& head)
     if (!section) return;
     for (const auto& field : kMaterialFields) {
         field.read(*section, field.info, head);
-        if (field.info.key == "id") check_id(*section, head.id);
+        if (field.info.key != "id" || head.id.empty()) continue;
+        if (std::string problem = id_problem(head.id); !problem.empty())
+            section->report("id", std::move(problem));
     }
     section->report_unknown_keys();
 }

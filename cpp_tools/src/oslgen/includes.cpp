@@ -6,6 +6,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "constants.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
 #include "nacre/oslgen/write.h"
@@ -14,6 +15,8 @@ namespace nacre::oslgen {
 namespace {
 
 constexpr std::string_view kInclude = "#include \"nacre/";
+constexpr std::string_view kCopyright = "// SPDX-FileCopyrightText: Nacre contributors";
+constexpr std::string_view kLicence = "// SPDX-License-Identifier: BSD-3-Clause";
 
 /// The header's path below `osl/`, or nothing where the line includes none of ours.
 std::string included_header(std::string_view line)
@@ -24,10 +27,10 @@ std::string included_header(std::string_view line)
     return std::string(line);
 }
 
-/// The two lines of the licence stand once, at the top of the result.
+/// The two lines of our licence stand once, at the top of the result.
 bool is_repeated(std::string_view line)
 {
-    return line == "#pragma once" || line.starts_with("// SPDX-");
+    return line == "#pragma once" || line == kCopyright || line == kLicence;
 }
 
 void append(std::string_view text, const std::string& name, std::set<std::string>& seen,
@@ -39,10 +42,10 @@ void append(std::string_view text, const std::string& name, std::set<std::string
         ++number;
         const std::string header = included_header(line);
         if (header.empty()) {
-            if (!is_repeated(line)) result += line + '\n';
+            if (!is_repeated(line)) result += resolved(line) + '\n';
             continue;
         }
-        if (!seen.insert(header).second) continue;
+        if (is_resolved(header) || !seen.insert(header).second) continue;
         const auto content = find_resource("osl/" + header);
         if (!content)
             throw InputError(
@@ -55,9 +58,7 @@ void append(std::string_view text, const std::string& name, std::set<std::string
 
 std::string inline_includes(const std::string& osl, const std::string& name)
 {
-    std::string result =
-        "// SPDX-FileCopyrightText: Nacre contributors\n"
-        "// SPDX-License-Identifier: BSD-3-Clause\n";
+    std::string result = fmt::format("{}\n{}\n", kCopyright, kLicence);
     std::set<std::string> seen;
     append(osl, name, seen, result);
     return result;

@@ -119,7 +119,7 @@ void add_tables(Graph& graph, const TableSurface& surface, For whom)
     if (const auto index = surface.solid_index())
         cosine = add_ambient_cosine(graph, cosine, *index);
     for (const TableInfo& table : surface.tables) {
-        if (table.role.form != TableForm::smooth) continue;
+        if (table.role.content != TableContent::smooth) continue;
         if (is_of_lobe(table.role.of) && whom == For::nodes) continue;
         const std::string id = fmt::format("at_{}x{}", table.x.texels, table.y.texels);
         if (graph.first(id)) {
@@ -357,6 +357,7 @@ struct NodeForm {
         const auto* graph = std::get_if<Graph>(&body.nodes);
         return graph ? graph->json() : Json(nullptr);
     }
+    Json operator()(const ShaderText& shader) const { return shader.nodes.value_or(Json(nullptr)); }
 };
 
 }  // namespace
@@ -396,7 +397,7 @@ void add_looked_up(Graph& graph, const TableSurface& surface)
     };
     for (const TableInfo& table : surface.tables) {
         const TableRole& role = table.role;
-        if (role.form == TableForm::powers) {
+        if (role.content == TableContent::powers) {
             const std::string row = add_row(graph, table);
             for (int k = 0; k < table.x.texels; ++k) {
                 const std::string id = fmt::format("{}_{}", table.name(), k);
@@ -404,9 +405,9 @@ void add_looked_up(Graph& graph, const TableSurface& surface)
                 add_image(graph, id, table, id + "_at");
                 feed(id + ".Color", id);
             }
-        } else if (role.form == TableForm::further) {
+        } else if (role.content == TableContent::further) {
             feed(add_further(graph, surface, table), table.name());
-        } else if (role.form == TableForm::smooth) {
+        } else if (role.content == TableContent::smooth) {
             feed(add_colour(graph, surface, surface.colour(role.of, role.is_bare)), table.name());
         }
     }
@@ -421,7 +422,8 @@ Json osl_graph(const Program& program)
         graph.node("script", "ShaderNodeScript");
     for (const Socket& socket : program.sockets)
         graph.link("input." + socket.name, fmt::format("script.{}", parameter_name(socket)));
-    graph.link("script.BSDF", "output.BSDF");
+    for (const Closure& closure : program.traits.closures)
+        graph.link("script." + closure.output, "output." + closure.output);
     return graph.json();
 }
 

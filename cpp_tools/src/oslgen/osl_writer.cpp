@@ -84,7 +84,7 @@ std::string further_colour(const TableSurface& surface)
 /// One lobe for each power of the reflectance; the first has the further bounces too.
 std::string power_lobes(const TableSurface& surface)
 {
-    const TableInfo& table = *surface.find({TableOf::R, TableForm::powers});
+    const TableInfo& table = *surface.find({TableOf::R, TableContent::powers});
     const std::vector<double>& exponents = surface.powers->exponents;
     const bool fades = !surface.bare_powers().empty();
     const double last = table.x.texels - 1;
@@ -166,7 +166,7 @@ std::string brushed_facets()
 /// Colours that are looked up outside, from row 0 of a table: one, or one for each coefficient.
 std::vector<std::string> looked_up(const TableInfo& table)
 {
-    if (table.role.form != TableForm::powers) return {table.name()};
+    if (table.role.content != TableContent::powers) return {table.name()};
     std::vector<std::string> names;
     names.reserve(static_cast<std::size_t>(table.x.texels));
     for (int k = 0; k < table.x.texels; ++k) names.push_back(fmt::format("{}_{}", table.name(), k));

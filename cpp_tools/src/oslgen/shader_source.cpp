@@ -10,15 +10,17 @@
 #include <optional>
 #include <utility>
 
+#include "constants.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/resources.h"
 
 namespace nacre::oslgen {
 namespace {
 
-bool is_word(char c)
+/// A `surface` is a shader that tells what it is for; displacement and volume shaders are others.
+bool begins_shader(std::string_view word)
 {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+    return word == "shader" || word == "surface";
 }
 
 /// One line, with one blank where there were any.
@@ -124,14 +126,15 @@ public:
         return on_one_line(result);
     }
 
-    /// To the first `shader` outside of comments and strings; whether there is one.
+    /// To behind the word that begins a shader, outside of comments and strings; whether there is
+    /// one.
     bool find_shader()
     {
         for (pass_blanks(); at_ < text_.size(); pass_blanks()) {
             if (text_[at_] == '"') {
                 pass_string();
             } else if (is_word(text_[at_])) {
-                if (word() == "shader") return true;
+                if (begins_shader(word())) return true;
             } else {
                 ++at_;
             }
@@ -368,9 +371,22 @@ std::string_view ShaderSource::told(std::string_view entry, std::string_view oth
     return found(metadata, entry, otherwise);
 }
 
+bool is_shader_text(std::string_view text)
+{
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        const std::size_t blank = line.find(' ');
+        const bool begins = blank != std::string_view::npos && begins_shader(line.substr(0, blank));
+        if (begins && blank + 1 < line.size() && is_word(line[blank + 1])) return true;
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+    }
+    return false;
+}
+
 ShaderSource parse_shader(std::string_view text, std::string_view file)
 {
-    Reader reader(text, file);
+    const std::string osl = resolved(text);
+    Reader reader(osl, file);
     if (!reader.find_shader()) reader.fail("must be a shader: shader NAME ( … ) { … }");
     ShaderSource result;
     result.file = file;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 
 #include "nacre/oslgen/literals.h"
@@ -67,31 +68,47 @@ std::string constant(const Constant& constant)
            metadata(constant.label, constant.help, kHidden);
 }
 
-struct Includes {
-    std::string operator()(const TableSurface& surface) const { return surface_includes(surface); }
-    std::string operator()(const ShaderBody& body) const
-    {
-        std::string result;
-        for (const std::string& header : body.includes)
-            result += fmt::format("#include \"{}\"\n", header);
-        return result;
-    }
+/// What a shader has of its own: what it includes, parameters after the artist's, statements.
+struct Parts {
+    std::string includes, parameters, statements;
 };
 
-struct Parameters {
-    std::string operator()(const TableSurface& surface) const
-    {
-        return surface_parameters(surface);
-    }
-    std::string operator()(const ShaderBody&) const { return ""; }
-};
+Parts parts(const TableSurface& surface)
+{
+    return {surface_includes(surface), surface_parameters(surface), surface_statements(surface)};
+}
 
-struct Statements {
-    std::string operator()(const TableSurface& surface) const
-    {
-        return surface_statements(surface);
-    }
-    std::string operator()(const ShaderBody& body) const { return body.statements; }
+Parts parts(const ShaderBody& body)
+{
+    std::string includes;
+    for (const std::string& header : body.includes)
+        includes += fmt::format("#include \"{}\"\n", header);
+    return {std::move(includes), "", body.statements};
+}
+
+std::string shader_of(const Program& program, const Parts& own)
+{
+    const material::TemplateHead& head = program.head;
+    std::string parameters;
+    for (const Socket& socket : program.sockets)
+        parameters += (parameters.empty() ? "" : ",\n") + parameter(socket);
+    for (const Constant& each : program.constants) parameters += constant(each);
+    parameters += own.parameters;
+    return fmt::format(
+        "{}\n"
+        "// {}. Made by `nacre compile`; colours are in {}.\n"
+        "shader nacre_{}"
+        "\n[[ string label = {}, string help = {} ]]\n"
+        "(\n{},\n    output closure color BSDF = 0\n)\n{{\n{}}}\n",
+        own.includes, comment_text(head.name), program.colours.space, head.id,
+        string_literal(head.name), string_literal(head.description), parameters, own.statements);
+}
+
+struct Text {
+    const Program& program;
+
+    std::string operator()(const ShaderText& shader) const { return shader.text; }
+    std::string operator()(const auto& body) const { return shader_of(program, parts(body)); }
 };
 
 }  // namespace
@@ -104,21 +121,7 @@ std::string metadata(std::string_view label, std::string_view help, std::string_
 
 std::string shader_text(const Program& program)
 {
-    const material::TemplateHead& head = program.head;
-    std::string parameters;
-    for (const Socket& socket : program.sockets)
-        parameters += (parameters.empty() ? "" : ",\n") + parameter(socket);
-    for (const Constant& each : program.constants) parameters += constant(each);
-    parameters += std::visit(Parameters{}, program.body);
-    return fmt::format(
-        "{}\n"
-        "// {}. Made by `nacre compile`; colours are in {}.\n"
-        "shader nacre_{}"
-        "\n[[ string label = {}, string help = {} ]]\n"
-        "(\n{},\n    output closure color BSDF = 0\n)\n{{\n{}}}\n",
-        std::visit(Includes{}, program.body), comment_text(head.name), program.colours.space,
-        head.id, string_literal(head.name), string_literal(head.description), parameters,
-        std::visit(Statements{}, program.body));
+    return std::visit(Text{program}, program.body);
 }
 
 }  // namespace nacre::oslgen

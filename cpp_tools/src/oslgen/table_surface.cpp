@@ -22,16 +22,16 @@ const TableInfo* TableSurface::find(const TableRole& role) const
 
 TableColour TableSurface::colour(TableOf of, bool is_bare) const
 {
-    const auto table = [&](TableForm form) { return copy_of(find({of, form, is_bare})); };
-    TableColour result{table(TableForm::smooth).value(), table(TableForm::rough), {}};
-    if (is_brushed && result.rough) result.further = table(TableForm::further);
+    const auto table = [&](TableContent form) { return copy_of(find({of, form, is_bare})); };
+    TableColour result{table(TableContent::smooth).value(), table(TableContent::rough), {}};
+    if (is_brushed && result.rough) result.further = table(TableContent::further);
     return result;
 }
 
 FadedColour TableSurface::faded(TableOf of) const
 {
     FadedColour result{colour(of), {}};
-    if (fades && find({of, TableForm::smooth, true})) result.bare = colour(of, true);
+    if (fades && find({of, TableContent::smooth, true})) result.bare = colour(of, true);
     return result;
 }
 
@@ -39,14 +39,14 @@ std::vector<TableInfo> TableSurface::further_bounces() const
 {
     std::vector<TableInfo> result;
     for (const bool is_bare : {false, true})
-        if (const TableInfo* table = find({TableOf::R, TableForm::further, is_bare}))
+        if (const TableInfo* table = find({TableOf::R, TableContent::further, is_bare}))
             result.push_back(*table);
     return result;
 }
 
 std::vector<std::array<double, 3>> TableSurface::bare_powers() const
 {
-    if (!powers || !find({TableOf::R, TableForm::smooth, true})) return {};
+    if (!powers || !find({TableOf::R, TableContent::smooth, true})) return {};
     return powers->bare;
 }
 
@@ -66,14 +66,15 @@ bool TableSurface::has_negative() const
 {
     return std::ranges::any_of(tables, [](const TableInfo& table) {
         const TableRole& role = table.role;
-        const bool is_mean = role.form == TableForm::smooth || role.form == TableForm::rough;
+        const bool is_mean =
+            role.content == TableContent::smooth || role.content == TableContent::rough;
         return role.of == TableOf::R && is_mean && table.lowest < 0.0;
     });
 }
 
 bool is_looked_up(const TableInfo& table)
 {
-    return table.role.form != TableForm::rough;
+    return table.role.content != TableContent::rough;
 }
 
 }  // namespace nacre::oslgen

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <variant>
 
 #include "nacre/core/version.h"
@@ -50,7 +51,7 @@ Json table_entry(const TableInfo& table)
         {"name", table.name()},
         {"role",
          {{"of", table_of_name(table.role.of)},
-          {"form", table_form_name(table.role.form)},
+          {"content", table_content_name(table.role.content)},
           {"bare", table.role.is_bare}}},
         {"file", table.file},
         {"quantity", table.quantity},
@@ -68,17 +69,17 @@ Json table_entry(const TableInfo& table)
     return entry;
 }
 
-std::vector<TableInfo> tables(const Program& program)
+std::span<const TableInfo> tables(const Program& program)
 {
     const auto* surface = std::get_if<TableSurface>(&program.body);
-    return surface ? surface->tables : std::vector<TableInfo>{};
+    return surface ? std::span(surface->tables) : std::span<const TableInfo>();
 }
 
 Json gamut_entry(const Program& program)
 {
     double lowest = 0.0;
     for (const TableInfo& table : tables(program))
-        if (table.role.form != TableForm::powers) lowest = std::min(lowest, table.lowest);
+        if (table.role.content != TableContent::powers) lowest = std::min(lowest, table.lowest);
     return {{"negative", lowest < 0.0}, {"lowest", lowest}};
 }
 

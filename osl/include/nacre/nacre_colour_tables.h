@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-// Written by write_osl_colour_tables; do not edit. Linear Rec.709, D65, CIE 1931 2 degrees.
+// Written by write_osl_headers; do not edit. Colours are lin_rec709_scene, D65, cie1931.
 
 #define NACRE_FIRST_NM 360
 #define NACRE_LAST_NM 830

@@ -4,6 +4,7 @@
 
 #include "nacre/nacre_grating.h"
 #include "nacre/nacre_surface.h"
+#include "nacre/nacre_view.h"
 #include "nacre/nacre_wavelength.h"
 
 // A reflecting disc with concentric tracks around the object's z axis.
@@ -61,7 +62,7 @@ color nacre_disc_mirror(nacre_disc_tracks disc, vector lateral, vector across, c
 closure color nacre_disc_lobes(nacre_disc_tracks disc, normal n, float roughness, color tint,
                                float edges[], color weight[], color basis[])
 {
-    vector lateral = n * dot(n, I) - I;
+    vector lateral = n * dot(n, NACRE_TO_VIEWER) - NACRE_TO_VIEWER;
     vector across = nacre_across_tracks(n);
     float random = nacre_second_random(nacre_path_random(), arraylength(weight));
     nacre_wavelength path = nacre_draw_wavelength(edges, weight, random);
@@ -76,7 +77,7 @@ closure color nacre_disc_lobes(nacre_disc_tracks disc, normal n, float roughness
         vector out = nacre_order_direction(lateral, across, ratio, m);
         float lateral_squared = dot(out, out);
         if (m == 0 || lateral_squared >= 1.0) continue;
-        normal tilted = normalize(out + n * sqrt(1.0 - lateral_squared) + I);
+        normal tilted = normalize(out + n * sqrt(1.0 - lateral_squared) + NACRE_TO_VIEWER);
         color order_tint = light * (scale * nacre_efficiency(grating, m));
         sum = nacre_reflection(tilted, order_tint, roughness) + sum;
     }

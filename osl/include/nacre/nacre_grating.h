@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
+#include "nacre/nacre_constants.h"
 
 // Plane reflection gratings in any orientation, scalar theory.
 
@@ -32,9 +33,9 @@ float nacre_sinc(float x)
 float nacre_efficiency(nacre_grating grating, int m)
 {
     float amplitude = 0.0;
-    if (grating.profile == 0)
+    if (grating.profile == NACRE_SINUSOIDAL)
         amplitude = nacre_bessel(m, 0.5 * grating.phase);
-    else if (grating.profile == 2)
+    else if (grating.profile == NACRE_BLAZED)
         amplitude = nacre_sinc(grating.phase / M_2PI - m);
     else if (m == 0)
         return 1.0 - 2.0 * grating.duty * (1.0 - grating.duty) * (1.0 - cos(grating.phase));

@@ -18,6 +18,7 @@ import json
 import operator
 import re
 from collections import Counter
+from pathlib import Path
 
 import pytest
 from PIL import Image
@@ -71,12 +72,18 @@ def small(command: str) -> str:
     return command if "--pixel" in command else f"{command} --size 8x8 --samples 1"
 
 
+def write(block: re.Match, folder: Path) -> None:
+    file = folder / block["name"]
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(block["text"], encoding="utf-8")
+
+
 @pytest.mark.parametrize("document", DOCUMENTS)
 def test_commands_of_the_document_run(document, nacre, tmp_path):
     printed = ""
     for block in marked_blocks(document):
         if block["name"]:
-            (tmp_path / block["name"]).write_text(block["text"], encoding="utf-8")
+            write(block, tmp_path)
         elif block["kind"] == "prints":
             assert_prints(block["text"], printed)
         elif block["kind"] == "run":
@@ -92,7 +99,7 @@ def test_commands_that_render_run(document, blenders, nacre, tmp_path):
     blender.call("program.save_scene", file=str(tmp_path / "shot.blend"))
     for block in marked_blocks(document):
         if block["name"]:
-            (tmp_path / block["name"]).write_text(block["text"], encoding="utf-8")
+            write(block, tmp_path)
         elif block["kind"] == "render":
             for command in block["text"].splitlines():
                 run("sh", small(command), tmp_path, nacre.program)

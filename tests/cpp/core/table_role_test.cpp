@@ -13,11 +13,11 @@ namespace {
 TEST(TableRole, HasTheNameThatFilesHave)
 {
     EXPECT_EQ(table_name({TableOf::R}), "R");
-    EXPECT_EQ(table_name({TableOf::T, TableForm::rough}), "T_rough");
-    EXPECT_EQ(table_name({TableOf::R, TableForm::further, true}), "R_further_bare");
-    EXPECT_EQ(table_name({TableOf::R, TableForm::powers}), "R_schlick");
-    EXPECT_EQ(table_name({TableOf::R_inner, TableForm::smooth, true}), "R_inner_bare");
-    EXPECT_EQ(table_name({TableOf::lobe_T, TableForm::rough}), "lobe_T_rough");
+    EXPECT_EQ(table_name({TableOf::T, TableContent::rough}), "T_rough");
+    EXPECT_EQ(table_name({TableOf::R, TableContent::further, true}), "R_further_bare");
+    EXPECT_EQ(table_name({TableOf::R, TableContent::powers}), "R_schlick");
+    EXPECT_EQ(table_name({TableOf::R_inner, TableContent::smooth, true}), "R_inner_bare");
+    EXPECT_EQ(table_name({TableOf::lobe_T, TableContent::rough}), "lobe_T_rough");
 }
 
 TEST(TableRole, IsFoundByItsName)
@@ -25,8 +25,8 @@ TEST(TableRole, IsFoundByItsName)
     std::set<std::string> names;
     for (const TableOf of : {TableOf::R, TableOf::T, TableOf::R_inner, TableOf::T_inner,
                              TableOf::lobe_R, TableOf::lobe_T})
-        for (const TableForm form :
-             {TableForm::smooth, TableForm::rough, TableForm::further, TableForm::powers})
+        for (const TableContent form : {TableContent::smooth, TableContent::rough,
+                                        TableContent::further, TableContent::powers})
             for (const bool is_bare : {false, true}) {
                 const TableRole role{of, form, is_bare};
                 EXPECT_TRUE(names.insert(table_name(role)).second) << table_name(role);
@@ -39,7 +39,7 @@ TEST(TableRole, IsFoundByItsName)
 TEST(TableRole, IsSpokenOf)
 {
     EXPECT_EQ(table_of_name(TableOf::T_inner), "T_inner");
-    EXPECT_EQ(table_form_name(TableForm::powers), "powers");
+    EXPECT_EQ(table_content_name(TableContent::powers), "powers");
 }
 
 }  // namespace

@@ -47,7 +47,8 @@ TEST(PreviewTables, FitEveryKindOfFilm)
         std::ranges::reverse(quick);
         std::size_t found = 0;
         for (const lut::Table& table : compiled.tables) {
-            if (table.role.form == TableForm::further || table.role.form == TableForm::powers)
+            if (table.role.content == TableContent::further ||
+                table.role.content == TableContent::powers)
                 continue;
             ASSERT_LT(found, quick.size());
             const lut::Table& same = quick[found++];
@@ -133,9 +134,9 @@ TEST(PreviewTables, RefuseWhatSuchAFilmDoesNotHave)
               "tempered_steel.toml: such a film has no table T; compile it anew");
     EXPECT_EQ(problem({TableOf::R}, {64, 1}),
               "tempered_steel.toml: table R cannot be 64 x 1; compile it anew");
-    EXPECT_EQ(problem({TableOf::R, TableForm::rough}, {13, 64}),
+    EXPECT_EQ(problem({TableOf::R, TableContent::rough}, {13, 64}),
               "tempered_steel.toml: table R_rough cannot be 13 x 64; compile it anew");
-    EXPECT_EQ(problem({TableOf::R, TableForm::rough}, {205, 64}),
+    EXPECT_EQ(problem({TableOf::R, TableContent::rough}, {205, 64}),
               "tempered_steel.toml: table R_rough cannot be 205 x 64; compile it anew");
     EXPECT_EQ(problem({TableOf::R}, {64, 64}), "");
 }

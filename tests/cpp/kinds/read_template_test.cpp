@@ -187,7 +187,7 @@ substrate = { medium = "Al/Rakic" }
 )",
                                      "t.toml");
     const auto& grating = dynamic_cast<const Grating&>(*disc.kind);
-    EXPECT_EQ(grating.profile, GratingProfile::blazed);
+    EXPECT_EQ(grating.profile, optics::ProfileKind::blazed);
     EXPECT_EQ(grating.orders, 2);
     EXPECT_EQ(std::get<AbbeMedium>(grating.cover.value), (AbbeMedium{1.585, 30.0}));
 

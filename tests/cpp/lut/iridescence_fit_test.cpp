@@ -12,7 +12,7 @@
 namespace nacre::lut {
 namespace {
 
-FilmModel model_of(const IridescenceFit& fit, const std::vector<double>& values)
+FilmColours model_of(const IridescenceFit& fit, const std::vector<double>& values)
 {
     return [fit, values](double cos_theta, double value) {
         return optics::khr_iridescence(surface_at(fit, values, value), cos_theta);

@@ -19,8 +19,8 @@ TableInfo table(const TableRole& role, double lowest = 0.0, int height = 1)
             .lowest = lowest};
 }
 
-constexpr TableRole kR{TableOf::R}, kBare{TableOf::R, TableForm::smooth, true},
-    kRough{TableOf::R, TableForm::rough}, kFurther{TableOf::R, TableForm::further};
+constexpr TableRole kR{TableOf::R}, kBare{TableOf::R, TableContent::smooth, true},
+    kRough{TableOf::R, TableContent::rough}, kFurther{TableOf::R, TableContent::further};
 
 TEST(TableSurface, FadesWhereItMayAndABareTableIsThere)
 {
@@ -60,7 +60,7 @@ TEST(TableSurface, KnowsWhetherReflectionLeavesTheGamut)
     EXPECT_TRUE(has_negative(kRough));
     EXPECT_TRUE(has_negative(kBare));
     EXPECT_FALSE(has_negative({TableOf::T}));
-    EXPECT_FALSE(has_negative({TableOf::R, TableForm::powers}));
+    EXPECT_FALSE(has_negative({TableOf::R, TableContent::powers}));
 }
 
 TEST(TableSurface, HasPowersOfTheBareSubstrateWhereItFades)

@@ -63,8 +63,8 @@ Program surface_program()
     program.sockets = {slider("thickness_nm", 400.0, 100.0, 1500.0), slider("coverage", 1, 0, 1),
                        slider("roughness", 0, 0, 1), normal_socket()};
     program.body = TableSurface{.tables = {table({TableOf::R}, 512), table({TableOf::T}, 512),
-                                           table({TableOf::R, TableForm::smooth, true}, 1),
-                                           table({TableOf::T, TableForm::smooth, true}, 1)},
+                                           table({TableOf::R, TableContent::smooth, true}, 1),
+                                           table({TableOf::T, TableContent::smooth, true}, 1)},
                                 .below = ThinWall{},
                                 .fades = true};
     return program;
@@ -151,7 +151,7 @@ TEST(Write, ManifestHoldsWhatTheExtensionNeeds)
     EXPECT_EQ(manifest["tables"].size(), 4u);
     EXPECT_EQ(manifest["tables"][0]["axes"][1]["max"], 1500.0);
     EXPECT_EQ(manifest["tables"][3]["role"],
-              (Json{{"of", "T"}, {"form", "smooth"}, {"bare", true}}));
+              (Json{{"of", "T"}, {"content", "smooth"}, {"bare", true}}));
     expect_sound(manifest, manifest["graphs"]["osl"]);
     expect_sound(manifest, manifest["graphs"]["nodes"]);
 }

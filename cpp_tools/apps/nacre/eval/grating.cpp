@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -75,12 +76,14 @@ optics::GratingProfile read_profile(const json& member, DiagnosticList& problems
     optics::GratingProfile profile;
     ObjectReader inner(member, "profile", problems);
     if (!member.is_object()) return profile;
-    const auto kind = inner.choice("kind", {"sinusoidal", "rectangular", "blazed"});
+    constexpr auto& kNames = optics::kProfileNames;
+    const auto kind = inner.choice("kind", {kNames.begin(), kNames.end()});
     const auto phase = inner.number("phase_rad", kAnyNumber);
     const auto duty = inner.number_or("duty", {0.0, 1.0, true, true}, profile.duty);
     inner.refuse_unknown_keys();
-    if (kind == "rectangular") profile.kind = optics::ProfileKind::rectangular;
-    if (kind == "blazed") profile.kind = optics::ProfileKind::blazed;
+    if (kind)
+        profile.kind =
+            static_cast<optics::ProfileKind>(std::ranges::find(kNames, *kind) - kNames.begin());
     profile.phase_rad = phase.value_or(0.0);
     profile.duty = duty.value_or(profile.duty);
     return profile;

@@ -17,10 +17,9 @@
 #include "files/stack_input.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/core/file_io.h"
-#include "nacre/core/resources.h"
 #include "nacre/core/version.h"
 #include "nacre/kinds/held_media.h"
-#include "nacre/kinds/read_template.h"
+#include "nacre/kinds/shipped.h"
 #include "nacre/library/lights.h"
 #include "nacre/pipeline/compile.h"
 #include "shared/held_ends.h"
@@ -35,9 +34,7 @@ using kinds::MaterialTemplate;
 
 MaterialTemplate library_template(const std::string& id)
 {
-    const std::string name = id + ".toml";
-    if (const auto text = find_resource("templates/" + name))
-        return kinds::parse_template(*text, name);
+    if (auto found = kinds::shipped_template(id)) return *std::move(found);
     throw InputError({"", 0, "--material",
                       fmt::format("must be a material of the library, such as soap_film or "
                                   "tempered_steel (got {})",

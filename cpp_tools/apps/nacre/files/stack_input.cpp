@@ -125,8 +125,10 @@ MaterialTemplate read_template_input(const std::string& file)
 {
     const std::string extension = std::filesystem::path(file).extension().string();
     if (file == "-" || extension == ".json") return parse_json_template(file);
-    if (extension != ".toml")
-        throw InputError({file, 0, "", "must be a template (.toml) or the JSON of one (.json)"});
+    if (extension != ".toml" && extension != ".osl")
+        throw InputError(
+            {file, 0, "",
+             "must be a template (.toml), the JSON of one (.json) or a shader (.osl)"});
     return kinds::parse_template(read_text(file), file);
 }
 

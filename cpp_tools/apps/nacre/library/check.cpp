@@ -42,16 +42,16 @@ Findings check_file(const std::string& file, bool strict_range)
         return {spectral::parse_refractiveindex_yaml(read_text(file), file).changes, {}};
     } else if (extension == ".csv") {
         (void)spectral::read_library_spectrum(read_text(file), file);
-    } else if (extension == ".toml" || extension == ".json") {
+    } else if (extension == ".toml" || extension == ".json" || extension == ".osl") {
         const kinds::MaterialTemplate source = read_template_input(file);
         kinds::CompileOptions options;
         options.range = range_rule(strict_range);
         source.kind->check(source, options);
         return {{}, held_media(source, options)};
     } else {
-        throw InputError(
-            {file, 0, "",
-             "must be optical constants (.yml), a spectrum (.csv) or a template (.toml, .json)"});
+        throw InputError({file, 0, "",
+                          "must be optical constants (.yml), a spectrum (.csv) or a template "
+                          "(.toml, .json, .osl)"});
     }
     return {};
 }

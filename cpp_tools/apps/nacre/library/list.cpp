@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include <fmt/format.h>
@@ -11,7 +10,7 @@
 
 #include "files/output.h"
 #include "nacre/core/diagnostics.h"
-#include "nacre/core/resources.h"
+#include "nacre/kinds/shipped.h"
 #include "nacre/library/library_search.h"
 #include "nacre/library/media_library.h"
 #include "nacre/library/spectrum_library.h"
@@ -110,14 +109,6 @@ void list_names(const std::vector<std::string>& names, const ListOptions& option
     }
 }
 
-std::vector<std::string> template_ids()
-{
-    std::vector<std::string> ids;
-    for (const std::string_view path : list_resources("templates/"))
-        ids.push_back(std::filesystem::path(path).stem().string());
-    return ids;
-}
-
 int list_library(const Session& session, const ListOptions& options)
 {
     Listing listing;
@@ -130,7 +121,7 @@ int list_library(const Session& session, const ListOptions& options)
     else if (options.kind == "spaces")
         list_names(spectral::colour_space_names(), options, listing);
     else
-        list_names(template_ids(), options, listing);
+        list_names(kinds::shipped_ids(), options, listing);
     write_text_output("", session.json ? listing.list.dump(2) + "\n" : listing.text);
     listing.problems.throw_if_any();
     return kExitOk;

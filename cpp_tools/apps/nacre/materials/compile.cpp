@@ -180,7 +180,8 @@ void add_compile(CLI::App& app, Session& session)
     const auto options = std::make_shared<CompileRequest>();
     CLI::App* compile = app.add_subcommand("compile", "templates to shaders, tables and manifests");
     compile->fallthrough()->footer(kCompileHelp);
-    compile->add_option("TEMPLATE", options->inputs, "template files (.toml)")->required();
+    compile->add_option("TEMPLATE", options->inputs, "template files (.toml), shaders (.osl)")
+        ->required();
     compile->add_option("-o,--output", options->output, "folder to write to")
         ->required()
         ->type_name("DIR");

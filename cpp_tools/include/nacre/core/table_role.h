@@ -21,7 +21,7 @@ enum class TableOf {
     lobe_T,
 };
 
-enum class TableForm {
+enum class TableContent {
     smooth,   ///< at roughness 0
     rough,    ///< means over facets
     further,  ///< what leaves after two and more bounces
@@ -30,14 +30,14 @@ enum class TableForm {
 
 struct TableRole {
     TableOf of = TableOf::R;
-    TableForm form = TableForm::smooth;
+    TableContent content = TableContent::smooth;
     bool is_bare = false;  ///< of the substrate without its film
 
     bool operator==(const TableRole&) const = default;
 };
 
 [[nodiscard]] std::string_view table_of_name(TableOf of);
-[[nodiscard]] std::string_view table_form_name(TableForm form);
+[[nodiscard]] std::string_view table_content_name(TableContent content);
 
 /// `R`, `T_rough`, `R_further_bare`, …: the file is `<id>_<name>.exr`.
 [[nodiscard]] const std::string& table_name(const TableRole& role);

@@ -14,13 +14,14 @@
 #include "nacre/kinds/kind.h"
 #include "nacre/lut/film_request.h"
 #include "nacre/material/fields.h"
+#include "nacre/optics/film_stack.h"
 
 /// @file
 /// Films: stacks of layers in which light interferes.
 
 namespace nacre::kinds {
 
-inline constexpr int kMaxLayers = 64;
+using optics::kMaxLayers;
 
 struct LayerSpec {
     material::MediumSpec medium;

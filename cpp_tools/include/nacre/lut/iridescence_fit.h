@@ -28,13 +28,13 @@ struct SphereError {
 };
 
 /// Colour at one angle and value of the variation.
-using FilmModel = std::function<spectral::Vec3(double cos_theta, double value)>;
+using FilmColours = std::function<spectral::Vec3(double cos_theta, double value)>;
 
-/// What `model` is off by, in what the film reflects or lets pass.
+/// What `colours` is off by, in what the film reflects or lets pass.
 /// @param values  of the variation, at least one; not looked at where nothing varies
 [[nodiscard]] SphereError sphere_error(const FilmTableRequest& request,
-                                       const std::vector<double>& values, const FilmModel& model,
-                                       bool transmittance = false);
+                                       const std::vector<double>& values,
+                                       const FilmColours& colours, bool transmittance = false);
 
 /// The fit at one value: a film of the thickness that interpolates its ends.
 [[nodiscard]] optics::KhrIridescence surface_at(const IridescenceFit& fit,

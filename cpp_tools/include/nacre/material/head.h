@@ -67,6 +67,9 @@ struct TemplateHead {
     std::string sha256;  ///< of them
 };
 
+/// What is wrong with a material's id, which names files; empty where nothing is.
+[[nodiscard]] std::string id_problem(std::string_view id);
+
 /// `[material]`
 void read_material(Section& root, TemplateHead& head);
 

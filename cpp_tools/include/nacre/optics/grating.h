@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 /// @file
@@ -14,6 +15,9 @@ namespace nacre::optics {
 using Direction = std::array<double, 3>;
 
 enum class ProfileKind { sinusoidal, rectangular, blazed };
+/// In the order of the enumeration.
+inline constexpr std::array<std::string_view, 3> kProfileNames{"sinusoidal", "rectangular",
+                                                               "blazed"};
 
 /// A thin phase profile. `phase_rad` is the peak-to-valley phase 2π n h (cosθ_i + cosθ_o)/λ.
 struct GratingProfile {

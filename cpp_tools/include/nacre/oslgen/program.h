@@ -66,6 +66,12 @@ struct ShaderBody {
     std::variant<Graph, std::string> nodes;  ///< the group without OSL, or why there is none
 };
 
+/// A hand-written shader as it is, with its parameters.
+struct ShaderText {
+    std::string text;
+    std::optional<nlohmann::json> nodes;  ///< the group without OSL, as in manifests
+};
+
 /// A medium that ends within the range of colours, see spectral/working_range.h.
 struct HeldMedium {
     std::string medium;
@@ -86,7 +92,7 @@ struct Program {
     Traits traits;
     std::vector<Socket> sockets;  ///< in the order in which an artist sees them
     std::vector<Constant> constants;
-    std::variant<TableSurface, ShaderBody> body;
+    std::variant<TableSurface, ShaderBody, ShaderText> body;
     nlohmann::json more = nlohmann::json::object();  ///< entries of the manifest of such materials
     ColourSystem colours;
     std::vector<HeldMedium> held;

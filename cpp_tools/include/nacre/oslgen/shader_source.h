@@ -19,7 +19,7 @@ struct ShaderParameter {
     std::string type;  ///< `float`, `closure color`, …
     std::string name;
     std::string size;   ///< of an array, as written; else empty
-    std::string value;  ///< the default, as written
+    std::string value;  ///< the default, as written, but for constants that C++ has too
     bool is_output = false;
     Metadata metadata;
     int line = 0;
@@ -42,6 +42,9 @@ struct ShaderSource {
     [[nodiscard]] std::string_view told(std::string_view entry,
                                         std::string_view otherwise = "") const;
 };
+
+/// Whether the text is OSL, by a line that begins a shader; no template in TOML has one.
+[[nodiscard]] bool is_shader_text(std::string_view text);
 
 /// @param file  what to call the text in messages
 /// @throws InputError with file and line where it is no shader

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -18,10 +19,13 @@ namespace {
 
 optics::ProfileKind profile_kind(std::string_view name)
 {
-    if (name == "sinusoidal") return optics::ProfileKind::sinusoidal;
-    if (name == "rectangular") return optics::ProfileKind::rectangular;
-    if (name == "blazed") return optics::ProfileKind::blazed;
-    fail("profile.kind", fmt::format("must be sinusoidal, rectangular or blazed (got {})", name));
+    const std::span names = optics::kProfileNames;
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+        fail("profile.kind",
+             fmt::format("must be {} or {} (got {})",
+                         fmt::join(names.first(names.size() - 1), ", "), names.back(), name));
+    return static_cast<optics::ProfileKind>(found - names.begin());
 }
 
 optics::Direction direction(const double (&values)[3])

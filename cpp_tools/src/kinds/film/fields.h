@@ -34,17 +34,22 @@ inline constexpr auto kScale = field<&Film::scale>(
      .bounds = {0.0, 100.0},
      .slider = Slider::always});
 
-inline constexpr std::array kSurfaceFields{
-    field<&Film::anisotropy>({.key = "anisotropy",
-                              .label = "Anisotropy",
-                              .help = "0: no direction; above 0 highlights are drawn out across "
-                                      "the tangent",
-                              .bounds = {-0.9, 0.9}}),
-    field<&Film::transmission>({.key = "transmission", .help = "light passes through the film"}),
+inline constexpr auto kAnisotropy = field<&Film::anisotropy>(
+    {.key = "anisotropy",
+     .label = "Anisotropy",
+     .help = "0: no direction; above 0 highlights are drawn out across the tangent",
+     .bounds = {-0.9, 0.9}});
+
+inline constexpr auto kDiffuseBase =
     field<&Film::diffuse_base>({.key = "diffuse_base",
                                 .label = "Base Colour",
                                 .help = "Colour of the matt base under the film and its substrate",
-                                .bounds = {0.0, 1.0}}),
+                                .bounds = {0.0, 1.0}});
+
+inline constexpr std::array kSurfaceFields{
+    kAnisotropy,
+    field<&Film::transmission>({.key = "transmission", .help = "light passes through the film"}),
+    kDiffuseBase,
 };
 
 inline constexpr SliderInfo kCoverage{.name = "coverage",

@@ -20,7 +20,7 @@ namespace {
 /// Fits, further bounces and the lobes of the substrate wait for compile().
 bool is_left_out(const TableRole& role)
 {
-    return role.form == TableForm::further || role.form == TableForm::powers ||
+    return role.content == TableContent::further || role.content == TableContent::powers ||
            role.of == TableOf::lobe_R || role.of == TableOf::lobe_T;
 }
 
@@ -45,11 +45,11 @@ public:
     {
         const bool passes = role.of == TableOf::T || role.of == TableOf::T_inner;
         if (is_inner(role)) {
-            if (below_ != Interior::diffuse || role.form != TableForm::smooth) refuse(role);
+            if (below_ != Interior::diffuse || role.content != TableContent::smooth) refuse(role);
             return passes ? inner(size).transmittance : inner(size).reflectance;
         }
         if (passes && !request_.transmittance) refuse(role);
-        if (role.form == TableForm::rough)
+        if (role.content == TableContent::rough)
             return passes ? *rough(size).transmittance : rough(size).reflectance;
         return passes ? *smooth(size).transmittance : smooth(size).reflectance;
     }
@@ -107,7 +107,7 @@ private:
 
 void check(const TableLayout& table, bool varies, const MaterialTemplate& source)
 {
-    const bool rough = table.role.form == TableForm::rough;
+    const bool rough = table.role.content == TableContent::rough;
     const bool is_solid = film_of(source).interior() == Interior::solid;
     const int strips = lut::kRoughSlices * (is_solid ? lut::kGlassSides : 1);
     const int least = is_inner(table.role) ? 1 : rough ? 2 * strips : 2;
@@ -163,7 +163,7 @@ std::vector<lut::Table> preview_tables(const MaterialTemplate& source,
 
     // First what the others are made from, in whatever order they are asked for.
     for (const TableLayout& wanted : layout)
-        if (wanted.role.of == TableOf::R && wanted.role.form == TableForm::smooth) {
+        if (wanted.role.of == TableOf::R && wanted.role.content == TableContent::smooth) {
             film::check(wanted, request.variation.has_value(), source);
             static_cast<void>((wanted.role.is_bare ? bare : whole).make(wanted.role, wanted.size));
         }

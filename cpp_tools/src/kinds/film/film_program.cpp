@@ -42,7 +42,7 @@ void add_thickness(const Film& film, std::vector<Socket>& sockets)
 
 void add_brush(double anisotropy, std::vector<Socket>& sockets)
 {
-    const material::FieldInfo& info = kSurfaceFields.front().info;
+    const material::FieldInfo& info = kAnisotropy.info;
     sockets.push_back(oslgen::slider_socket(
         info, {.value = anisotropy, .min = info.bounds.min, .max = info.bounds.max}));
     sockets.push_back(oslgen::slider_socket(
@@ -55,7 +55,7 @@ std::vector<Socket> sockets(const Film& film, const MaterialTemplate& source, bo
     add_thickness(film, result);
     if (source.parameter(kCoverage.name)) result.push_back(oslgen::slider_socket(kCoverage));
     if (film.diffuse_base) {
-        const material::FieldInfo& base = kSurfaceFields.back().info;
+        const material::FieldInfo& base = kDiffuseBase.info;
         result.push_back(oslgen::colour_socket("base_colour", std::string(base.label),
                                                std::string(base.help), *film.diffuse_base));
     }

@@ -80,7 +80,7 @@ void add_bare_tables(lut::FilmTableRequest request, const MaterialTemplate& sour
 void add_lobe_tables(double index, std::vector<lut::Table>& tables)
 {
     const lut::Table& rough =
-        *std::ranges::find(tables, TableRole{TableOf::R, TableForm::rough}, &lut::Table::role);
+        *std::ranges::find(tables, TableRole{TableOf::R, TableContent::rough}, &lut::Table::role);
     std::vector<lut::Table> lobes =
         lut::bake_lobe_tables(index, rough.x.texels / (rough.sides * rough.slices));
     std::ranges::move(lobes, std::back_inserter(tables));

@@ -10,9 +10,6 @@ namespace nacre::kinds::grating {
 
 using material::field, material::Slider, material::SliderInfo;
 
-/// In the order of the enumeration.
-inline constexpr std::array<std::string_view, 3> kProfiles{"sinusoidal", "rectangular", "blazed"};
-
 inline constexpr auto kPitch = field<&Grating::pitch_nm>({.key = "pitch_nm",
                                                           .label = "Pitch",
                                                           .help = "Distance of neighbouring tracks",
@@ -21,20 +18,26 @@ inline constexpr auto kPitch = field<&Grating::pitch_nm>({.key = "pitch_nm",
                                                           .required = true,
                                                           .slider = Slider::always});
 
+inline constexpr auto kDepth = field<&Grating::depth_nm>({.key = "depth_nm",
+                                                          .help = "groove depth",
+                                                          .unit = "nm",
+                                                          .bounds = {0.0, 1e5},
+                                                          .required = true});
+
+inline constexpr auto kOrders = field<&Grating::orders>(
+    {.key = "orders", .help = "highest order to either side", .bounds = {1.0, 9.0}});
+
 inline constexpr std::array kFields{
     kPitch,
-    field<&Grating::depth_nm>({.key = "depth_nm",
-                               .help = "groove depth",
-                               .unit = "nm",
-                               .bounds = {0.0, 1e5},
-                               .required = true}),
-    field<&Grating::profile>(
-        {.key = "profile", .help = "of a groove", .required = true, .choices = kProfiles}),
+    kDepth,
+    field<&Grating::profile>({.key = "profile",
+                              .help = "of a groove",
+                              .required = true,
+                              .choices = optics::kProfileNames}),
     field<&Grating::duty>(
         {.key = "duty", .help = "raised share of the period", .bounds = {0.0, 1.0}},
-        [](const Grating& grating) { return grating.profile == GratingProfile::rectangular; }),
-    field<&Grating::orders>(
-        {.key = "orders", .help = "highest order to either side", .bounds = {1.0, 9.0}}),
+        [](const Grating& grating) { return grating.profile == optics::ProfileKind::rectangular; }),
+    kOrders,
     field<&Grating::cover>({.key = "cover", .required = true, .is_clear = true}),
     field<&Grating::substrate>({.key = "substrate", .required = true}),
 };

@@ -4,10 +4,9 @@
 
 #include "base/kind_info.h"
 #include "nacre/material/fields.h"
+#include "nacre/optics/grating.h"
 
 namespace nacre::kinds {
-
-enum class GratingProfile { sinusoidal, rectangular, blazed };
 
 /// `[grating]`: concentric tracks around the object's z axis.
 class Grating final : public Kind {
@@ -15,7 +14,7 @@ public:
     static constexpr std::string_view kName = "grating";
 
     material::Quantity pitch_nm;
-    GratingProfile profile = GratingProfile::rectangular;
+    optics::ProfileKind profile = optics::ProfileKind::rectangular;
     double depth_nm = 0.0;           ///< of a groove
     double duty = 0.5;               ///< fraction of the period that is raised; rectangular only
     material::MediumSpec cover;      ///< what fills the grooves; only its index enters their depth

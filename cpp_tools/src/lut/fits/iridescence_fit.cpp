@@ -216,7 +216,7 @@ Minimum refined_minimum(const Search& search, const Minimum& start, bool range)
 }  // namespace
 
 SphereError sphere_error(const FilmTableRequest& request, const std::vector<double>& values,
-                         const FilmModel& model, bool transmittance)
+                         const FilmColours& colours, bool transmittance)
 {
     check(request);
     const Rings sphere = rings(kStatedStep);
@@ -227,7 +227,7 @@ SphereError sphere_error(const FilmTableRequest& request, const std::vector<doub
     for (std::size_t i = 0; i < exact.size(); ++i) {
         const Vec3& truth = transmittance ? exact[i].transmittance : exact[i].reflectance;
         const double error =
-            difference(model(sphere.cos_theta[i % count], values[i / count]), truth);
+            difference(colours(sphere.cos_theta[i % count], values[i / count]), truth);
         result.mean += sphere.share[i % count] * error / static_cast<double>(values.size());
         result.max = std::max(result.max, error);
     }

@@ -222,7 +222,7 @@ FilmTableRequest quick(FilmTableRequest request, int width, int height)
 Table coefficient_table(const Table& values, const Fit& fit)
 {
     const auto terms = static_cast<int>(fit.coefficients.rows());
-    Table table{.role = {TableOf::R, TableForm::powers},
+    Table table{.role = {TableOf::R, TableContent::powers},
                 .quantity = "schlick_coefficients",
                 .x = {"term", "1", 0.0, static_cast<double>(terms - 1), terms},
                 .y = values.y,

@@ -188,7 +188,7 @@ double further_share(double mean_reflectance, double mean_albedo)
 
 Table rough_preview(const Table& smooth, TexelSize size, int sides)
 {
-    Table table = rough_like(smooth, TableForm::rough, size.width, size.height, sides);
+    Table table = rough_like(smooth, TableContent::rough, size.width, size.height, sides);
     table.error_max = table.error_mean = kNotMeasured;
     table.texels.resize(3 * static_cast<std::size_t>(size.width) *
                         static_cast<std::size_t>(size.height));

@@ -154,9 +154,9 @@ std::vector<Table> bake_lobe_tables(double index, int width)
     const std::vector<optics::GlassFacets> flat = flat_facets(index);
     const auto rough = all_glass_facets(index, static_cast<std::size_t>(width), 2);
     std::vector<Table> tables{lobe_table({TableOf::lobe_R}, flat, reflected),
-                              lobe_table({TableOf::lobe_R, TableForm::rough}, rough, reflected),
+                              lobe_table({TableOf::lobe_R, TableContent::rough}, rough, reflected),
                               lobe_table({TableOf::lobe_T}, flat, passed),
-                              lobe_table({TableOf::lobe_T, TableForm::rough}, rough, passed)};
+                              lobe_table({TableOf::lobe_T, TableContent::rough}, rough, passed)};
     for (const std::size_t i : {1, 3}) {
         tables[i].slices = kRoughSlices;
         tables[i].sides = kGlassSides;

@@ -132,7 +132,7 @@ private:
 Table further_table(const Table& smooth, const RoughColours& colours, RoughSize size)
 {
     const RoughSize narrow{kFurtherColumns, size.height};
-    return make_rough_table(smooth, TableForm::further, fill(colours, narrow), {},
+    return make_rough_table(smooth, TableContent::further, fill(colours, narrow), {},
                             [](const RoughColour& at) { return at.further; });
 }
 

@@ -188,7 +188,7 @@ RoughErrors measure(const Colours& colours, const RoughTexels& texels,
 }
 
 /// Over the axes of a smooth table, `width` by `height` texels in all; none of them is there yet.
-[[nodiscard]] inline Table rough_like(const Table& smooth, TableForm form, int width, int height,
+[[nodiscard]] inline Table rough_like(const Table& smooth, TableContent form, int width, int height,
                                       int sides)
 {
     Table table{.role = {smooth.role.of, form, smooth.role.is_bare},
@@ -205,7 +205,7 @@ RoughErrors measure(const Colours& colours, const RoughTexels& texels,
 }
 
 template <class Quantity>
-Table make_rough_table(const Table& smooth, TableForm form, const RoughTexels& texels,
+Table make_rough_table(const Table& smooth, TableContent form, const RoughTexels& texels,
                        const ErrorStatistics& error, Quantity&& quantity)
 {
     Table table = rough_like(smooth, form, static_cast<int>(texels.strips * texels.size.width),
@@ -229,14 +229,14 @@ RoughTables rough_film_tables(const Colours& colours, const FilmTableRequest& re
     const RoughTexels texels = fill(colours, rough_size(smooth.reflectance));
     const RoughErrors error = measure(colours, texels, ColourError(request.weights.to_xyz_d65));
     RoughTables result{.reflectance = make_rough_table(
-                           smooth.reflectance, TableForm::rough, texels, error.reflectance,
+                           smooth.reflectance, TableContent::rough, texels, error.reflectance,
                            [](const RoughColour& at) { return at.film.reflectance; }),
                        .transmittance = {},
                        .further = {}};
     if (smooth.transmittance)
-        result.transmittance =
-            make_rough_table(*smooth.transmittance, TableForm::rough, texels, error.transmittance,
-                             [](const RoughColour& at) { return at.film.transmittance; });
+        result.transmittance = make_rough_table(
+            *smooth.transmittance, TableContent::rough, texels, error.transmittance,
+            [](const RoughColour& at) { return at.film.transmittance; });
     return result;
 }
 

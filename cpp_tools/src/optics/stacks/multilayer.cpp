@@ -102,6 +102,7 @@ bool has_amplitudes(const FilmStack& stack) noexcept
 std::optional<StackProblem> validate(const FilmStack& stack) noexcept
 {
     const int count = static_cast<int>(stack.layers.size());
+    static_assert(kMaxLayers == 64, "the message has it too");
     if (count > kMaxLayers) return StackProblem{"d_nm", kMaxLayers, "at most 64 layers"};
     if (const char* message = index_problem(stack.ambient, true))
         return StackProblem{"n", 0, message};

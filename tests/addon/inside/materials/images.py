@@ -146,7 +146,7 @@ new_file()
 bpy.ops.nacre.assign_material(material="test_film", form="nodes")
 dark = bpy.context.object.active_material
 nodes = [node for node in tree_of(dark).nodes if node.type == "TEX_IMAGE"]
-nodes[0][image_module.TABLE_FORM] = "further"
+nodes[0][image_module.TABLE_CONTENT] = "further"
 removed(dark)
 module("materials.fallback").put_in_place()
 stand_ins = [node.image.name for node in nodes]

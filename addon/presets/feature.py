@@ -1,0 +1,12 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Presets of materials, as a part of the extension."""
+
+from __future__ import annotations
+
+from ..blender.parts import Joined
+from ..materials import panel as material_panel
+from . import operators, panel
+
+CLASSES = (*operators.CLASSES, *panel.CLASSES)
+PARTS = (Joined(material_panel.SECTIONS, material_panel.Section(panel.draw, lambda _: None)),)

@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Tables of the pages say what the code says."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+
+from support.osl import SHADER_MATERIALS
+from support.paths import ROOT, manifest
+
+DOCS = ROOT / "cpp_tools" / "doc"
+WORDS = {"osl": "OSL", "nodes": "nodes"}
+
+
+def test_page_of_templates_is_that_of_the_schema(nacre):
+    """cpp_tools/generators/write_template_page.py writes it anew."""
+    written = subprocess.run(
+        [sys.executable, ROOT / "cpp_tools/generators/write_template_page.py"],
+        input=nacre.ok("library", "schema"), capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    assert (DOCS / "templates.md").read_text("utf-8") == written.stdout
+
+
+def row(material: str) -> str:
+    of = manifest(material)
+    forms = ", ".join(word for form, word in WORDS.items() if of["graphs"][form] is not None)
+    presets = ", ".join(preset["name"] for preset in of.get("presets", []))
+    return f"| {of['name']} | `{material}` | {forms} | {presets} | {of['description']} |"
+
+
+def test_every_shader_has_its_row():
+    page = (DOCS / "shaders.md").read_text("utf-8")
+    rows = re.findall(r"^\| [^|]+ \| `\w+` \| (?:OSL|nodes).*$", page, re.MULTILINE)
+    assert sorted(rows) == sorted(map(row, SHADER_MATERIALS))
