@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from blender.harness import VERSIONS
+from support.osl import SHADER_MATERIALS
 from support.tool import Tool
 
 
@@ -24,9 +25,10 @@ def test_layout(installed, templates):
     share = installed.program.parents[1] / "share" / "nacre"
     for name in ("addon", "osl/include", "templates", "data/optical_constants", "materials"):
         assert (share / name).is_dir(), name
-    assert {path.name for path in (share / "materials").iterdir()} == {
-        path.stem for path in templates.glob("*.toml")
-    }
+    sources = {path.stem for path in templates.glob("*.toml")}
+    assert {path.name for path in (share / "materials").iterdir()} == sources | set(
+        SHADER_MATERIALS
+    )
     prefix = installed.program.parents[1]
     for path in share.rglob("*"):
         assert path.resolve(strict=True).is_relative_to(prefix.resolve()), path

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 from support.images import json_attribute, read_all, spec_of
+from support.osl import SHADER_MATERIALS
 from support.paths import TEMPLATES, materials_folder
 
 MATERIALS = materials_folder()
@@ -90,7 +91,8 @@ def one_of_each_make() -> list[str]:
 
 
 def test_the_library_is_whole(templates):
-    assert set(manifests()) == {source.stem for source in templates.glob("*.toml")}
+    sources = {source.stem for source in templates.glob("*.toml")}
+    assert set(manifests()) == sources | set(SHADER_MATERIALS)
 
 
 def test_tables_of_the_library_keep_to_the_tolerance():
@@ -109,7 +111,8 @@ def test_templates_compile_twice_to_the_same_bytes(nacre, templates, tmp_path, m
     """The build made the first of the two, from elsewhere by other paths: none may enter a file."""
     monkeypatch.delenv("NACRE_PYTHON", raising=False)  # as in the build
     names = one_of_each_make()
-    relative = [os.path.relpath(templates / f"{name}.toml", tmp_path) for name in names]
+    sources = (SHADER_MATERIALS.get(name, templates / f"{name}.toml") for name in names)
+    relative = [os.path.relpath(source, tmp_path) for source in sources]
     nacre.ok("compile", *relative, "-o", "materials", cwd=tmp_path)
     for name in names:
         assert contents(MATERIALS / name) == contents(tmp_path / "materials" / name), name

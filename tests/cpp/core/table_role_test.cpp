@@ -25,10 +25,10 @@ TEST(TableRole, IsFoundByItsName)
     std::set<std::string> names;
     for (const TableOf of : {TableOf::R, TableOf::T, TableOf::R_inner, TableOf::T_inner,
                              TableOf::lobe_R, TableOf::lobe_T})
-        for (const TableContent form : {TableContent::smooth, TableContent::rough,
-                                        TableContent::further, TableContent::powers})
+        for (const TableContent content : {TableContent::smooth, TableContent::rough,
+                                           TableContent::further, TableContent::powers})
             for (const bool is_bare : {false, true}) {
-                const TableRole role{of, form, is_bare};
+                const TableRole role{of, content, is_bare};
                 EXPECT_TRUE(names.insert(table_name(role)).second) << table_name(role);
                 EXPECT_EQ(table_role(table_name(role)), role);
             }
@@ -39,6 +39,9 @@ TEST(TableRole, IsFoundByItsName)
 TEST(TableRole, IsSpokenOf)
 {
     EXPECT_EQ(table_of_name(TableOf::T_inner), "T_inner");
+    EXPECT_EQ(table_content_name(TableContent::smooth), "smooth");
+    EXPECT_EQ(table_content_name(TableContent::rough), "rough");
+    EXPECT_EQ(table_content_name(TableContent::further), "further");
     EXPECT_EQ(table_content_name(TableContent::powers), "powers");
 }
 

@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+
 #include "nacre/kinds/shader_tables.h"
 #include "shader/hand_written.h"
 #include "shader/node_form.h"
@@ -24,8 +26,8 @@ std::string text_for(const oslgen::ShaderSource& shader, const CompileOptions& o
 std::string HandWritten::driven_socket() const
 {
     constexpr std::string_view kThickness = "thickness_nm";
-    const bool has_thickness = std::ranges::any_of(
-        sockets, [](const oslgen::Socket& socket) { return socket.name == kThickness; });
+    const bool has_thickness =
+        std::ranges::find(sockets, kThickness, &oslgen::Socket::name) != sockets.end();
     return has_thickness ? std::string(kThickness) : "";
 }
 

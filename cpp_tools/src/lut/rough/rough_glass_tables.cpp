@@ -157,7 +157,7 @@ std::vector<Table> bake_lobe_tables(double index, int width)
                               lobe_table({TableOf::lobe_R, TableContent::rough}, rough, reflected),
                               lobe_table({TableOf::lobe_T}, flat, passed),
                               lobe_table({TableOf::lobe_T, TableContent::rough}, rough, passed)};
-    for (const std::size_t i : {1, 3}) {
+    for (const std::size_t i : {1U, 3U}) {
         tables[i].slices = kRoughSlices;
         tables[i].sides = kGlassSides;
     }
