@@ -15,8 +15,11 @@ class NACRE_MT_presets(bpy.types.Menu):
     bl_label = "Presets"
 
     def draw(self, context):
-        for preset in presets_of(active_material(context)):
+        presets = presets_of(active_material(context))
+        for preset in presets:
             self.layout.operator("nacre.apply_preset", text=preset.name).preset = preset.name
+        if not presets:
+            self.layout.label(text="The active material has none")
 
 
 def draw(layout: bpy.types.UILayout, context) -> None:
