@@ -36,6 +36,9 @@ _NUMBER = r"[0-9]*\.?[0-9]+(?:e[+-]?[0-9]+)?"
 _COMPLEX = re.compile(rf"({_NUMBER})(?:\+({_NUMBER})i)?", re.IGNORECASE)
 
 
+_SHADER = re.compile(r"^(?:shader|surface) \w+$", re.MULTILINE)
+
+
 class StackError(RecipeError):
     """A stack cannot be read or edited so; one line for each fault."""
 
@@ -71,6 +74,8 @@ def read_stack(text: str) -> Stack:
     try:
         data = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
+        if _SHADER.search(text):
+            raise StackError("not the template of a film: it is a shader") from error
         raise StackError(f"not a template: {error}") from error
     if not has_layers(data):
         raise StackError("not the template of a film: it has no [ambient] and [substrate]")

@@ -266,7 +266,12 @@ def test_a_value_runs_over_the_frames(blender45, tmp_path):
             ["--material", "test_grating", "--technique", "airy"],
             "not the template of a film",
         ),
+        (
+            ["--material", "test_film", "--preset", "thin"],
+            "there is no preset 'thin'; there are: none",
+        ),
         (["--blend", "a.blend", "--technique", "airy"], "do not go with --blend"),
+        (["--blend", "a.blend", "--preset", "thin"], "do not go with --blend"),
         (["--material", "test_film", "--set", "depth=1"], "there are: thickness_nm, roughness"),
         (
             ["--material", "test_film", "--set", "thickness_nm=-5"],

@@ -153,6 +153,7 @@ def test_edits_that_cannot_be(path, value, message):
     [
         ("schema = [", "not a template"),
         ("[grating]\npitch_nm = 3", "not the template of a film"),
+        ("surface glow\n(\n)\n{\n}\n", "not the template of a film: it is a shader"),
         ("[ambient]\nn = 1\n[substrate]\n", "not a template"),
         ("[ambient]\nn = 1\n[substrate]\nn = 1\n[[layer]]\nn = 1", "thickness_nm"),
     ],
