@@ -76,8 +76,11 @@ def drawn(material):
 
 
 panel = module("browser.panel")
-osl_alone = {name for name, item in entries.items() if item.entry.forms == ("osl",)}
-assert osl_alone == {"cd", "dvd", "disc", "thin_film"}
+osl_alone = {
+    name: item.entry.kind for name, item in entries.items() if item.entry.forms == ("osl",)
+}
+assert {"cd", "dvd", "disc", "thin_film"} <= set(osl_alone)
+assert set(osl_alone.values()) == {"grating", "shader"}
 assert drawn("cd")[2]["nacre.assign_material"]
 real, panel.has_osl = panel.has_osl, lambda: False
 said, icons, buttons = drawn("cd")
