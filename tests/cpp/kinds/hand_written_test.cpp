@@ -164,6 +164,13 @@ TEST(HandWritten, ColourTablesAreThoseOfTheOptions)
     EXPECT_NE(text(wide).find("Colours are lin_rec2020_scene, D65, cie1931."), std::string::npos);
 }
 
+TEST(HandWritten, LinesMayEndAsOnWindows)
+{
+    std::string osl;
+    for (const char c : worm()) osl += c == '\n' ? "\r\n" : std::string(1, c);
+    EXPECT_EQ(written(osl).osl, written(worm()).osl);
+}
+
 TEST(HandWritten, WhoDrawsForThePathHasAWavelengthOfItsOwn)
 {
     const auto drawn = worm(kWormHead, kInputs, "// nacre_path_random\n");
@@ -230,6 +237,17 @@ TEST(HandWritten, EveryProblemIsToldAtOnceWithItsLine)
             "worm.osl:6: category: is missing: [[ string category = \"…\" ]], path in the asset "
             "catalogue",
             "worm.osl:6: status: must be one of typical, sourced, measured (got \"guessed\")"}));
+}
+
+TEST(HandWritten, HeadersOfOthersAreRefused)
+{
+    const std::string rule =
+        "must be a header of Nacre's, nacre/…, as a material is one file; put "
+        "others in place (got \"";
+    EXPECT_EQ(problems_of(replaced(worm(), "nacre/nacre_view.h", "mine.h")),
+              std::vector{"worm.osl:4: include: " + rule + "mine.h\")"});
+    EXPECT_EQ(problems_of(replaced(worm(), "nacre/nacre_view.h", "nacre/nacre_views.h")),
+              std::vector{"worm.osl:4: include: " + rule + "nacre/nacre_views.h\")"});
 }
 
 TEST(HandWritten, WhatIsNoMaterialIsRefused)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <string>
 
 #include "nacre/kinds/shader_tables.h"
 #include "shader/hand_written.h"
@@ -15,6 +16,7 @@ constexpr std::string_view kColourTables = "#include \"nacre/nacre_colour_tables
 std::string text_for(const oslgen::ShaderSource& shader, const CompileOptions& options)
 {
     std::string text = without_node_form(shader.text);
+    std::erase(text, '\r');  // of files from Windows
     const std::size_t at = text.find(kColourTables);
     if (at != std::string::npos)
         text.replace(at, kColourTables.size(), colour_tables_header(options.weights()));

@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "nacre/core/resources.h"
 #include "nacre/core/sha256.h"
 #include "shader/hand_written.h"
 #include "shader/node_form.h"
@@ -59,6 +60,7 @@ public:
         kind->told = traits();
         for (const ShaderParameter& parameter : shader_->parameters)
             if (auto found = socket(parameter)) kind->sockets.push_back(*std::move(found));
+        check_includes();
         kind->nodes = node_form(*shader_, kind->sockets, kind->told.closures, problems_);
         kind->presets = read_presets(*shader_, kind->sockets, problems_);
         MaterialTemplate result = head();
@@ -97,6 +99,27 @@ private:
             report(line, entry,
                    fmt::format("must be one of {} (got \"{}\")", fmt::join(names, ", "), value));
         return 0;
+    }
+
+    /// A material is one file, in which headers are put in place: they must be ours.
+    void check_includes()
+    {
+        constexpr std::string_view kInclude = "#include \"";
+        int number = 0;
+        for (std::string_view rest = shader_->text; !rest.empty();) {
+            std::string_view line = rest.substr(0, rest.find('\n'));
+            rest.remove_prefix(std::min(line.size() + 1, rest.size()));
+            ++number;
+            if (!line.starts_with(kInclude)) continue;
+            line.remove_prefix(kInclude.size());
+            const std::string_view header = line.substr(0, line.find('"'));
+            if (!find_resource(fmt::format("osl/{}", header)))
+                report(
+                    number, "include",
+                    fmt::format("must be a header of Nacre's, nacre/…, as a material is one file; "
+                                "put others in place (got \"{}\")",
+                                header));
+        }
     }
 
     MaterialTemplate head()
