@@ -17,7 +17,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import zipfile
 from pathlib import Path
 
 from write_manual import write_manual
@@ -78,25 +77,24 @@ def stage(folder: Path, wheels: list[Path], materials: Path) -> None:
     write_manual(folder / "manual")
     (folder / "wheels").mkdir()
     for wheel in wheels:
-        shutil.copyfile(wheel, folder / "wheels" / wheel.name)
+        _squeeze(Path(shutil.copyfile(wheel, folder / "wheels" / wheel.name)), effort=4)
     blender_manifest = folder / "blender_manifest.toml"
     text = filled_manifest(blender_manifest.read_text("utf-8"), project_version(ROOT), wheels)
     blender_manifest.write_text(text, "utf-8")
 
 
-def _squeeze(archive: Path) -> None:
-    """The same files in the same order, compressed as well as can be: Blender's tool does not."""
-    with zipfile.ZipFile(archive) as made:
-        files = [(info, made.read(info)) for info in made.infolist()]
-    with zipfile.ZipFile(archive, "w") as squeezed:
-        for info, data in files:
-            squeezed.writestr(info, data, zipfile.ZIP_DEFLATED, compresslevel=9)
+def _squeeze(archive: Path, effort: int) -> None:
+    """The same files, compressed as well as can be, which Blender's tool and pip do not try."""
+    run("advzip", "--recompress", "--quiet", f"-{effort}", archive)
 
 
-def run_blender_ext(program: Path, *arguments: str) -> None:
-    done = subprocess.run([sys.executable, str(program), *arguments], check=False)
+def run(*command: str | Path) -> None:
+    try:
+        done = subprocess.run(list(map(str, command)), check=False)
+    except FileNotFoundError:
+        sys.exit(f"{command[0]} is missing: ./dev setup installs it")
     if done.returncode != 0:
-        sys.exit(f"{program.name} {arguments[0]}: failed")
+        sys.exit(f"{' '.join(map(str, command))}: failed")
 
 
 def main() -> None:
@@ -114,9 +112,9 @@ def main() -> None:
         folder, archive = Path(scratch, "nacre"), Path(scratch, output.name)
         stage(folder, options.wheel, options.materials)
         build = ("build", "--source-dir", str(folder), "--output-filepath", str(archive))
-        run_blender_ext(options.blender_ext, *build)
-        _squeeze(archive)
-        run_blender_ext(options.blender_ext, "validate", str(archive))
+        run(sys.executable, options.blender_ext, *build)
+        _squeeze(archive, effort=3)
+        run(sys.executable, options.blender_ext, "validate", archive)
         archive.replace(output)
 
 
