@@ -16,7 +16,7 @@ from ..core.form import AUTO, NODES, OSL
 from ..films.stack import MULTILAYER, TECHNIQUES
 from ..thickness.sources import SOURCES, ThicknessError, Varied, read_varied
 from ..viewer.fields import FIELDS
-from .scenes import stage_names
+from .scenes import STAGES
 
 DEFAULT_VIEW = "Khronos PBR Neutral"
 
@@ -82,7 +82,7 @@ def parser() -> argparse.ArgumentParser:
     )
     stage = made.add_argument_group("a material")
     stage.add_argument(
-        "--stage", metavar="NAME", help=f"one of {', '.join(stage_names())} (default shaderball)"
+        "--stage", metavar="NAME", help=f"one of {', '.join(STAGES)} (default shaderball)"
     )
     stage.add_argument(
         "--look",

@@ -4,6 +4,6 @@
 
 from __future__ import annotations
 
-from .stage import Stage, StageError, build_stage, stage_names
+from .stage import STAGES, Stage, StageError, build_stage
 
-__all__ = ["Stage", "StageError", "build_stage", "stage_names"]
+__all__ = ["STAGES", "Stage", "StageError", "build_stage"]

@@ -40,10 +40,6 @@ class Stage:
     samples: int = 128
 
 
-def stage_names() -> tuple[str, ...]:
-    return STAGES
-
-
 def build_stage(name: str, object_name: str = "") -> Stage:
     """Replaces the open file by the stage; preferences and extensions stay. `object_name`: what stands
     on the stage `portrait`, if not its usual object."""
