@@ -8,20 +8,14 @@
 #include <charconv>
 #include <cmath>
 #include <utility>
-#include <vector>
+
+#include "nacre/core/text_lines.h"
 
 namespace nacre::kinds {
 namespace {
 
 using Json = nlohmann::json;
 using oslgen::Socket;
-
-std::string_view trimmed(std::string_view text)
-{
-    while (text.starts_with(' ')) text.remove_prefix(1);
-    while (text.ends_with(' ')) text.remove_suffix(1);
-    return text;
-}
 
 /// Null where the text is no value of the socket.
 Json value_of(const Socket& socket, std::string_view text)

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <utility>
 
 #include "nacre/core/resources.h"
 #include "nacre/core/sha256.h"
+#include "nacre/core/text_lines.h"
 #include "shader/hand_written.h"
 #include "shader/node_form.h"
 #include "shader/presets.h"
@@ -105,17 +105,15 @@ private:
     void check_includes()
     {
         constexpr std::string_view kInclude = "#include \"";
-        int number = 0;
-        for (std::string_view rest = shader_->text; !rest.empty();) {
-            std::string_view line = rest.substr(0, rest.find('\n'));
-            rest.remove_prefix(std::min(line.size() + 1, rest.size()));
-            ++number;
+        TextLines lines(shader_->text);
+        while (const auto next = lines.next()) {
+            std::string_view line = *next;
             if (!line.starts_with(kInclude)) continue;
             line.remove_prefix(kInclude.size());
             const std::string_view header = line.substr(0, line.find('"'));
             if (!find_resource(fmt::format("osl/{}", header)))
                 report(
-                    number, "include",
+                    lines.number(), "include",
                     fmt::format("must be a header of Nacre's, nacre/…, as a material is one file; "
                                 "put others in place (got \"{}\")",
                                 header));
