@@ -13,12 +13,13 @@ target_compile_options(nacre_flags INTERFACE
 
 # The modules, each after those that it depends on, and the only arrows between them: a module sees
 # the headers of what is named here, and no others. tests/lint/includes.py reads this table as well.
-set(NACRE_MODULES core spectral media readers library textures optics lut material oslgen kinds pipeline)
+set(NACRE_MODULES core spectral media readers library bands textures optics lut material oslgen kinds pipeline)
 set(NACRE_DEPENDS_core "")
 set(NACRE_DEPENDS_spectral core)
 set(NACRE_DEPENDS_media spectral)
 set(NACRE_DEPENDS_readers media)
 set(NACRE_DEPENDS_library readers)
+set(NACRE_DEPENDS_bands library)
 set(NACRE_DEPENDS_textures media)
 set(NACRE_DEPENDS_optics media)
 set(NACRE_DEPENDS_lut optics)

@@ -13,6 +13,7 @@
  * Text is UTF-8. Complex numbers are pairs (real, imaginary).
  */
 
+#include "nacre/capi/bands.h"
 #include "nacre/capi/base.h"
 #include "nacre/capi/colour.h"
 #include "nacre/capi/films.h"

@@ -9,6 +9,15 @@ are listed from the ambient down, angles are measured in the ambient, wavelength
 from __future__ import annotations
 
 from . import library, shapes, textures
+from ._bands import (
+    BandChoice,
+    BandError,
+    Bands,
+    LightSamples,
+    Lines,
+    bands,
+    choose_bands,
+)
 from ._colour import (
     Colour,
     ColourTemperature,
@@ -36,17 +45,24 @@ from ._stack_colour import StackColour, stack_colour
 
 __version__ = version()
 __all__ = [
+    "BandChoice",
+    "BandError",
+    "Bands",
     "Colour",
     "ColourTemperature",
     "CompiledMaterial",
     "FilmLut",
     "GratingOrders",
+    "LightSamples",
+    "Lines",
     "NacreError",
     "RgbSpectrum",
     "StackColour",
     "StackResult",
     "Table",
     "TemplateSpectrum",
+    "bands",
+    "choose_bands",
     "colour_matching",
     "colour_temperature",
     "compile_template",

@@ -13,6 +13,47 @@ API_VERSION = 1
 WAVELENGTHS = 471
 
 
+class Light(Structure):
+    _fields_ = [
+        ("name", c_char_p),
+        ("count", c_size_t),
+        ("wavelength_nm", c_void_p),
+        ("power", c_void_p),
+        ("lines", c_size_t),
+        ("line_nm", c_void_p),
+        ("line_power", c_void_p),
+    ]
+
+
+class BandNeeds(Structure):
+    _fields_ = [
+        ("lights", c_size_t),
+        ("light", POINTER(Light)),
+        ("samples", c_size_t),
+        ("wavelength_nm", c_void_p),
+        ("reflectances", c_size_t),
+        ("reflectance", c_void_p),
+        ("films", c_size_t),
+        ("film_nm", c_void_p),
+        ("spreads", c_size_t),
+        ("spread_px", c_void_p),
+        ("mean_error", c_double),
+        ("max_error", c_double),
+    ]
+
+
+class BandChoice(Structure):
+    _fields_ = [
+        ("passes", c_int),
+        ("mean_error", c_double),
+        ("max_error", c_double),
+        ("film_error", c_double),
+        ("step_px", c_double),
+        ("held", c_char_p),
+        ("met", c_int),
+    ]
+
+
 class Colour(Structure):
     _fields_ = [
         ("XYZ", c_double * 3),
@@ -200,6 +241,15 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "nacre_api_version": (c_int, []),
     "nacre_version": (c_char_p, []),
     "nacre_last_error": (c_char_p, []),
+    "nacre_bands_make": (c_int, [c_size_t, c_size_t, POINTER(Light), c_char_p, POINTER(c_void_p)]),
+    "nacre_bands_choose": (c_int, [POINTER(BandNeeds), c_char_p, POINTER(c_void_p),
+        POINTER(BandChoice)]),
+    "nacre_bands_count": (c_size_t, [c_void_p]),
+    "nacre_bands_get": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_void_p]),
+    "nacre_light_in_bands": (c_int, [c_void_p, POINTER(Light), c_void_p]),
+    "nacre_band_error": (c_int, [c_void_p, POINTER(Light), c_size_t, c_void_p, c_size_t, c_void_p,
+        c_void_p, c_void_p]),
+    "nacre_bands_free": (None, [c_void_p]),
     "nacre_spectrum_to_colour": (c_int, [c_size_t, c_void_p, c_void_p, c_int, c_char_p, c_char_p,
         c_char_p, c_void_p]),
     "nacre_spectra_to_colours": (c_int, [c_size_t, c_size_t, c_void_p, c_void_p,

@@ -61,12 +61,12 @@ const NamedSpectrum& library_light(std::string_view key)
 Spectrum samples_of_name(std::string_view name)
 {
     if (auto samples = illuminant_samples(name)) return *std::move(samples);
+    if (const auto lines = named_lines(name); !lines.empty()) return line_samples(lines);
     const std::size_t colon = name.find(':');
     if (colon != std::string_view::npos) {
         const std::string_view kind = name.substr(0, colon), value = name.substr(colon + 1);
         if (kind == "blackbody") return blackbody_samples(number(value, "temperature in K"));
         if (kind == "daylight") return daylight_samples(number(value, "temperature in K"));
-        if (kind == "line") return line_samples(parse_lines(value));
     }
     throw_problem(fmt::format("must be one of {}, {} (got '{}')",
                               fmt::join(illuminant_names(), ", "), kIlluminantForms, name));
@@ -85,6 +85,15 @@ NamedSpectrum light_spectrum(std::string_view text)
             .tags = {},
             .kind = SpectrumKind::emission,
             .samples = samples_of_name(text)};
+}
+
+std::vector<SpectralLine> named_lines(std::string_view text)
+{
+    constexpr std::string_view kForm = "line:";
+    if (!text.starts_with(kForm)) return {};
+    std::vector<SpectralLine> lines = parse_lines(text.substr(kForm.size()));
+    [[maybe_unused]] const Spectrum refuses_lines_off_the_grid = line_samples(lines);
+    return lines;
 }
 
 Illuminant named_illuminant(std::string_view text)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "nacre/spectral/illuminant.h"
 #include "nacre/spectral/named_spectrum.h"
@@ -21,6 +22,9 @@ namespace nacre::spectral {
 /// published, black bodies from 300 to 900 nm. Its name and key are `text`.
 /// @throws InputError as named_illuminant()
 [[nodiscard]] NamedSpectrum light_spectrum(std::string_view text);
+/// The lines of `line:…`, which have no width; none for any other light.
+/// @throws InputError as named_illuminant() where the text begins with `line:`
+[[nodiscard]] std::vector<SpectralLine> named_lines(std::string_view text);
 inline constexpr std::string_view kIlluminantForms =
     "a light of the library (lamp/hps), blackbody:<K>, daylight:<K>, "
     "line:<nm>[@<power>][,<nm>[@<power>]…]";
