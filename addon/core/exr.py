@@ -17,8 +17,9 @@ from .faults import ForeseenError
 Attributes = dict[str, bytes]
 
 _MULTI_PART = 0x1000
+LINES_OF_ZIP = 16
 # Scan lines in a chunk, by the code of the compression ("compression").
-_LINES = {0: 1, 1: 1, 2: 1, 3: 16, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256}
+_LINES = {0: 1, 1: 1, 2: 1, 3: LINES_OF_ZIP, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256}
 _FLOAT = 2
 
 

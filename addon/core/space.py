@@ -35,6 +35,11 @@ def conversion(source: Matrix, target: Matrix) -> Matrix | None:
     return None if all(abs(value) < _SAME for value in differences) else found
 
 
+def conversion_from_xyz(target: Matrix) -> Matrix:
+    """From CIE XYZ with white D65 to colours of a space."""
+    return _inverse(target)
+
+
 def relative_to(source: Matrix, matrix: Matrix) -> Matrix:
     """The space of the colours that `matrix` makes of those of `source`."""
     return _multiply(source, _inverse(matrix))

@@ -1,0 +1,89 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Spectral pictures: a channel for each wavelength, and the colour that they are to the eye, in one EXR.
+
+Channels are those of A. Fichet, R. Pacanowski, A. Wilkie, "An OpenEXR Layout for Spectral Images",
+Journal of Computer Graphics Techniques 10(3), 2021, which other programs read; `nacre:bands` has besides
+what the colour is summed with, so that it can be summed anew for another light or eye.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from .exr_write import ExrWriter
+from .space import Matrix, conversion_from_xyz
+
+VERSION = 1
+"""Of `nacre:bands`."""
+
+
+@dataclass(frozen=True)
+class BandTable:
+    """Of N bands: N + 1 edges, what each is looked up at (nm), its colour, and whether it is a line."""
+
+    observer: str
+    edges_nm: Sequence[float]
+    wavelength_nm: Sequence[float]
+    xyz: Sequence[Sequence[float]]  # of an emission of 1 per nm; all together have Y = 1
+    is_line: Sequence[bool]
+
+    @property
+    def channels(self) -> list[str]:
+        return [channel(nm) for nm in self.wavelength_nm]
+
+    def text(self) -> str:
+        return json.dumps(
+            {
+                "version": VERSION,
+                "observer": self.observer,
+                "edges_nm": [round(float(nm), 4) for nm in self.edges_nm],
+                "wavelength_nm": [float(nm) for nm in self.wavelength_nm],
+                "xyz": [[float(value) for value in row] for row in self.xyz],
+                "is_line": [bool(line) for line in self.is_line],
+            },
+            separators=(",", ":"),
+        )
+
+
+def channel(nm: float) -> str:
+    """Of unpolarised emission: `S0.589,294nm`."""
+    return f"S0.{nm:.3f}nm".replace(".", ",").replace("S0,", "S0.", 1)
+
+
+def write(
+    path: Path,
+    size: tuple[int, int],
+    bands: BandTable,
+    space: Matrix,
+    rows: Iterable[tuple[np.ndarray, np.ndarray | None]],
+) -> None:
+    """A picture of `size` (width, height).
+
+    rows: from the top, float32 (some rows, width, N), radiance per nm in each band; and what the
+    colour is to be instead of its sum, (some rows, width, 3), as after denoising, or None.
+    space: of the colour, the matrix to XYZ with white D65. Raises OSError that names the path.
+    """
+    to_rgb = np.asarray(bands.xyz) @ np.asarray(conversion_from_xyz(space)).T
+    attributes = {
+        "spectralLayoutVersion": "1.0",
+        "emissiveUnits": "relative",
+        "chromaticities": chromaticities(space),
+        "nacre:bands": bands.text(),
+    }
+    with ExrWriter(path, *size, ["R", "G", "B", *bands.channels], attributes) as writer:
+        for radiance, given in rows:
+            colour = radiance @ to_rgb if given is None else given
+            writer.append(np.concatenate([colour.astype(np.float32), radiance], axis=-1))
+
+
+def chromaticities(space: Matrix) -> list[float]:
+    """xy of red, green, blue and white."""
+    primaries = np.asarray(space, dtype=float)
+    columns = [*primaries.T, primaries.sum(axis=1)]
+    return [float(value) for xyz in columns for value in (xyz / xyz.sum())[:2]]
