@@ -65,18 +65,19 @@ def frame_path(path: Path, frame: int) -> Path:
 class Writer:
     """Saves the render result; `discard` removes what is half done and may run in any thread.
 
-    With layers, an .exr has all passes of the render.
+    With layers, an .exr has all passes of the render. Not compressed, core.exr can read it.
     """
 
-    def __init__(self, scene: bpy.types.Scene, *, layers: bool = False):
+    def __init__(self, scene: bpy.types.Scene, *, layers: bool = False, compressed: bool = True):
         self._scene = scene
+        self._codec = "ZIP" if compressed else "NONE"
         self._formats = {**SUFFIXES, **({".exr": _LAYERS} if layers else {})}
         self._aside: Path | None = None
 
     def save(self, path: Path) -> None:
         self._aside = aside(path)
         try:
-            with _image_settings(self._scene, self._formats[path.suffix.lower()]):
+            with _image_settings(self._scene, self._formats[path.suffix.lower()], self._codec):
                 bpy.data.images["Render Result"].save_render(str(self._aside), scene=self._scene)
             if not is_whole(self._aside):
                 raise OutputError(f"{path}: could not be written to its end; is the disc full?")
@@ -96,7 +97,7 @@ class Writer:
 
 
 @contextlib.contextmanager
-def _image_settings(scene: bpy.types.Scene, file_format: str) -> Iterator[None]:
+def _image_settings(scene: bpy.types.Scene, file_format: str, codec: str) -> Iterator[None]:
     settings = scene.render.image_settings
     if hasattr(settings, "media_type"):  # Blender 5: the format has to belong to the medium
         settings.media_type = "MULTI_LAYER_IMAGE" if file_format == _LAYERS else "IMAGE"
@@ -105,5 +106,5 @@ def _image_settings(scene: bpy.types.Scene, file_format: str) -> Iterator[None]:
         settings.color_mode = "RGB"
     settings.color_depth = "8" if file_format == "PNG" else "32"
     if file_format != "PNG":
-        settings.exr_codec = "ZIP"
+        settings.exr_codec = codec
     yield

@@ -67,6 +67,18 @@ class File:
             yield line, start + 8, size
 
 
+def read_picture(path: Path, names: str) -> tuple[int, list[array]]:
+    """The width, and the channels of these names, each row by row from the top, of a file of one
+    part. Raises ExrError, also where a channel is missing."""
+    try:
+        file = File.parse(path.read_bytes())
+        x_min, _, x_max, _ = struct.unpack("<4i", file.parts[0].attributes["dataWindow"])
+        channels = _read_part(file, file.parts[0])
+        return x_max - x_min + 1, [channels[name] for name in names]
+    except (struct.error, ValueError, KeyError, IndexError) as error:
+        raise ExrError(f"{path}: cannot be read: {error!r}") from error
+
+
 def read_channels(path: Path) -> dict[str, array]:
     """Values of all channels of all parts by name, row by row from the top. Names are without the
     view layer in front: `Combined.R`, `nacre_uv.G`."""

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Properties of a scene or view layer that nodes read: what a pass of bands is."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import bpy
+
+from ..blender.formula import Formula
+
+PREFIX = "nacre_s_"
+"""Of the name of each spectrum's property: its values in the three bands of a pass."""
+IS_SPECTRAL = "nacre_spectral"
+"""1 while bands are rendered; without it colours are RGB."""
+WAVELENGTHS = "nacre_wavelengths"
+"""(λ/nm − 595) / 235 of the three bands, as the polynomials of upsampled colours take it."""
+
+Owner = bpy.types.Scene | bpy.types.ViewLayer
+Values = Mapping[str, float | Sequence[float]]
+
+
+def polynomial_variable(nm: float) -> float:
+    """From −1 at 360 nm to 1 at 830 nm."""
+    return (nm - 595.0) / 235.0
+
+
+def put(owner: Owner, values: Values) -> None:
+    for name, value in values.items():
+        owner[name] = value
+
+
+def take_away(owner: Owner) -> None:
+    """All of them: colours are RGB again."""
+    for name in [name for name in owner.keys() if _is_ours(name)]:  # noqa: SIM118 of an ID
+        del owner[name]
+
+
+def _is_ours(name: str) -> bool:
+    return name in (IS_SPECTRAL, WAVELENGTHS) or name.startswith(PREFIX)
+
+
+def triple(formula: Formula, name: str) -> bpy.types.NodeSocket:
+    """A property of three numbers as a colour; black where there is none."""
+    return _attribute(formula, name).outputs["Color"]
+
+
+def number(formula: Formula, name: str) -> bpy.types.NodeSocket:
+    """A property of one number; 0 where there is none."""
+    return _attribute(formula, name).outputs["Fac"]
+
+
+def _attribute(formula: Formula, name: str) -> bpy.types.Node:
+    return formula.node("ShaderNodeAttribute", attribute_type="VIEW_LAYER", attribute_name=name)

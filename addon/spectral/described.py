@@ -1,0 +1,98 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Spectra as files keep them: by samples of their own, so that a file shows the same on a machine whose
+library lacks them, or by what can be computed anywhere."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import nacre
+
+from ..core.faults import ForeseenError
+from .attributes import PREFIX
+
+VERSION = 1
+EMISSION, REFLECTANCE = "emission", "reflectance"
+KINDS = (EMISSION, REFLECTANCE)
+
+
+class SpectrumError(ForeseenError):
+    """What a file says is no spectrum."""
+
+
+@dataclass(frozen=True)
+class Described:
+    """One spectrum. `light`: a light that needs no samples, as `nacre.illuminant` has it."""
+
+    kind: str
+    name: str
+    light: str = ""
+    wavelength_nm: tuple[float, ...] = ()
+    values: tuple[float, ...] = ()
+
+    @classmethod
+    def named(cls, name: str) -> Described:
+        """A key of the library, or a light by its name. Raises SpectrumError."""
+        try:
+            if "/" in name:
+                return cls.of_spectrum(nacre.library.spectrum(name))
+            nacre.illuminant(name)
+        except nacre.NacreError as error:
+            raise SpectrumError(str(error)) from error
+        return cls(EMISSION, name, light=name)
+
+    @classmethod
+    def of_spectrum(cls, spectrum: nacre.library.Spectrum) -> Described:
+        if spectrum.kind not in KINDS:
+            raise SpectrumError(f"{spectrum.name}: is neither an emission nor a reflectance")
+        nm, values = (
+            tuple(float(number) for number in numbers)
+            for numbers in (spectrum.wavelength_nm, spectrum.values)
+        )
+        return cls(spectrum.kind, spectrum.name, wavelength_nm=nm, values=values)
+
+    @classmethod
+    def parse(cls, text: str) -> Described:
+        """From what `text` wrote. Raises SpectrumError that says what is wrong."""
+        try:
+            said = json.loads(text)
+            version = said.pop("version")
+            if version > VERSION:
+                raise SpectrumError(
+                    f"is of version {version}, made by a newer Nacre; this one knows {VERSION}"
+                )
+            found = cls(**{name: _plain(value) for name, value in said.items()})
+        except (ValueError, TypeError, KeyError, AttributeError) as error:
+            raise SpectrumError(f"cannot be read: {error!r}") from error
+        if found.kind not in KINDS or not (found.light or found.wavelength_nm):
+            raise SpectrumError("has no kind, or neither a name nor samples")
+        return found
+
+    @property
+    def text(self) -> str:
+        said = {name: value for name, value in asdict(self).items() if value}
+        return json.dumps({"version": VERSION, **said}, separators=(",", ":"))
+
+    @property
+    def attribute(self) -> str:
+        """The name of its property: the same for the same spectrum in every file."""
+        digest = hashlib.sha256(self.text.encode()).hexdigest()
+        return PREFIX + digest[:16]
+
+    @property
+    def as_light(self) -> str | nacre.LightSamples:
+        return self.light or nacre.LightSamples(self.wavelength_nm, self.values)
+
+    @property
+    def as_spectrum(self) -> nacre.library.Spectrum:
+        return nacre.library.Spectrum(
+            "", self.name, self.kind, "", "", "", self.wavelength_nm, self.values
+        )
+
+
+def _plain(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) else value

@@ -1,0 +1,91 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Scenes rendered in bands against sums over 0.1 nm by colour-science."""
+
+from __future__ import annotations
+
+import colour
+import numpy as np
+import OpenImageIO as oiio
+import pytest
+
+import nacre
+from nacre import library
+
+FINE = 360.05 + 0.1 * np.arange(4700)
+LIGHTS = ["D65", "A", "F2", "F11", "LED-B3", "lamp/hps", "line:462@1,532@0.8,638@1.2"]
+CHART = [key for key in library.keys("spectra") if key.startswith("colorchecker/")]
+SIZE = 4
+"""Pixels of a patch."""
+
+
+def observer_at(nm):
+    cmfs = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
+    cmfs = cmfs.copy().align(colour.SpectralShape(360, 830, 1))
+    return np.stack([np.interp(nm, cmfs.wavelengths, cmfs.values[:, c]) for c in range(3)], -1)
+
+
+def light_at(name):
+    """Wavelengths and power of each."""
+    if name.startswith("line:"):
+        pairs = [part.split("@") for part in name.removeprefix("line:").split(",")]
+        return tuple(np.array(column, dtype=float) for column in zip(*pairs, strict=True))
+    if name.startswith("lamp/"):
+        lamp = library.spectrum(name)
+        return FINE, np.interp(FINE, lamp.wavelength_nm, lamp.values)
+    name = f"FL{name[1:]}" if name.startswith("F") else name
+    lamp = colour.SDS_ILLUMINANTS[name]
+    return FINE, np.interp(FINE, lamp.wavelengths, lamp.values)
+
+
+def reflectance_at(key, nm):
+    patch = library.spectrum(key)
+    samples = colour.SpectralDistribution(patch.values, patch.wavelength_nm)
+    fine = samples.align(colour.SpectralShape(360, 830, 1)).values
+    return np.interp(nm, np.arange(360, 831), fine)
+
+
+def exact(light):
+    """XYZ of the chart, where white has Y = 1, and of white."""
+    nm, power = light_at(light)
+    seen = observer_at(nm) * power[:, None]
+    white = seen.sum(axis=0)
+    chart = np.array([reflectance_at(key, nm) @ seen for key in CHART])
+    return chart / white[1], white / white[1]
+
+
+def delta_e(a, b, white):
+    xy = colour.XYZ_to_xy(white)
+    return colour.delta_E(colour.XYZ_to_Lab(a, xy), colour.XYZ_to_Lab(b, xy))
+
+
+@pytest.fixture(scope="module")
+def chart(blender):
+    """Radiances (lights, patches, N) of the middle of each patch, and its XYZ."""
+    file = blender.folder / "chart.exr"
+    said = blender.call(
+        "spectral.chart",
+        reflectances=CHART, lights=LIGHTS, file=str(file), size=SIZE, samples=8, passes=0,
+    )  # fmt: skip
+    assert not said["left"]
+    buffer = oiio.ImageBuf(str(file))
+    names = buffer.spec().channelnames
+    pixels = buffer.get_pixels(oiio.FLOAT)[SIZE // 2 :: SIZE, SIZE // 2 :: SIZE]
+    bands = [index for index, name in enumerate(names) if name.startswith("S0.")]
+    assert len(bands) == 3 * said["passes"]
+    rgb = pixels[..., [names.index(name) for name in "RGB"]]
+    return rgb @ colour.RGB_COLOURSPACES["sRGB"].matrix_RGB_to_XYZ.T
+
+
+@pytest.mark.parametrize("light", LIGHTS)
+def test_chart_has_the_colours_that_it_should(chart, light):
+    expected, white = exact(light)
+    errors = delta_e(chart[LIGHTS.index(light)], expected, white)
+    assert errors.mean() <= 0.1
+    assert errors.max() <= 0.3
+
+
+def test_bands_are_those_of_all_lights():
+    bands, choice = nacre.choose_bands(LIGHTS)
+    assert choice.met
+    assert bands.is_line.sum() == 3
