@@ -268,3 +268,14 @@ def test_colour_matching_functions(observer):
     np.testing.assert_allclose(ours, colour.MSDS_CMFS[OBSERVERS[observer]].values, atol=1e-12)
     with pytest.raises(nacre.NacreError, match="cie1964"):
         nacre.colour_matching("eye")
+
+
+def test_basis_has_the_colours_of_its_primaries():
+    basis = nacre.rgb_basis()
+    assert basis.shape == (471, 3)
+    np.testing.assert_allclose(basis.sum(axis=1), 1.0, atol=1e-9)
+    assert basis.min() >= 0.0
+    assert basis.max() <= 1.0
+    for rgb in (*np.eye(3), (0.5, 0.25, 0.8), (0.02, 0.9, 0.4)):
+        found = nacre.spectrum_to_colour(GRID, basis @ np.array(rgb)).rgb
+        np.testing.assert_allclose(found, rgb, atol=2e-6)

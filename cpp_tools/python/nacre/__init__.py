@@ -26,6 +26,7 @@ from ._colour import (
     colour_temperature,
     illuminant,
     map_range,
+    rgb_basis,
     rgb_to_spectrum,
     spectrum_to_colour,
 )
@@ -73,6 +74,7 @@ __all__ = [
     "library",
     "map_range",
     "preview_tables",
+    "rgb_basis",
     "rgb_to_spectrum",
     "shapes",
     "slit_intensity",

@@ -256,6 +256,7 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
         POINTER(ColourOptions), c_void_p]),
     "nacre_rgb_to_spectrum": (c_int, [c_size_t, c_void_p, c_char_p, c_char_p, c_int, c_void_p,
         c_void_p, c_void_p]),
+    "nacre_rgb_basis": (c_int, [c_void_p]),
     "nacre_result_tables": (c_size_t, [c_void_p]),
     "nacre_result_table": (c_int, [c_void_p, c_size_t, POINTER(Table)]),
     "nacre_result_text": (c_char_p, [c_void_p, c_char_p]),

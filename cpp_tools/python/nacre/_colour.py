@@ -180,6 +180,20 @@ def rgb_to_spectrum(
     return RgbSpectrum(GRID_NM.copy(), values, coefficients, error)
 
 
+def rgb_basis() -> np.ndarray:
+    """Reflectances of red, green and blue, float64 (471, 3) over 360-830 nm at 1 nm.
+
+    Their sum is 1 everywhere, and `rgb_basis() @ rgb` has the colour `rgb` of Rec.709 under D65, within
+    0 and 1 where the colour is. Linear in the colour, unlike `rgb_to_spectrum`, but less smooth.
+
+    Source: after I. Mallett, C. Yuksel, Spectral Primary Decomposition for Rendering with sRGB
+    Reflectance, Eurographics Symposium on Rendering 2019; computed anew.
+    """
+    values = np.empty((GRID_NM.size, 3))
+    check(lib.nacre_rgb_basis(values.ctypes.data))
+    return values
+
+
 def map_range(rgb: ArrayLike, how: str = "normalise") -> np.ndarray:
     """All colours of an image, or of a list, brought into range together.
 

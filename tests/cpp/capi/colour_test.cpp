@@ -136,4 +136,13 @@ TEST(CapiColour, RefusesNullArrays)
     EXPECT_EQ(call(&value, nullptr, &colour), "values: must not be null");
 }
 
+TEST(CapiColour, HasASpectrumForEachPrimary)
+{
+    std::vector<double> values(3 * NACRE_WAVELENGTHS);
+    ASSERT_EQ(nacre_rgb_basis(values.data()), NACRE_OK);
+    for (std::size_t i = 0; i < values.size(); i += 3)
+        EXPECT_NEAR(values[i] + values[i + 1] + values[i + 2], 1.0, 1e-9);
+    EXPECT_EQ(error(nacre_rgb_basis(nullptr)), "values: must not be null");
+}
+
 }  // namespace

@@ -60,6 +60,13 @@ NACRE_API nacre_status nacre_rgb_to_spectrum(size_t count, const double* rgb, co
                                              const char* method, int emission, double* values,
                                              double* coefficients, double* error_dE00);
 
+/**
+ * Reflectances of red, green and blue of Rec.709 under D65 whose sum is 1: spectra that are linear
+ * in the colour.
+ * @param values  NACRE_WAVELENGTHS x 3
+ */
+NACRE_API nacre_status nacre_rgb_basis(double* values);
+
 #ifdef __cplusplus
 }
 #endif

@@ -10,6 +10,7 @@
 #include "colour/colour_maker.h"
 #include "nacre/spectral/colour.h"
 #include "nacre/spectral/gamut.h"
+#include "nacre/spectral/rgb_basis.h"
 #include "nacre/spectral/rgb_spectrum.h"
 #include "nacre/spectral/spectrum.h"
 
@@ -98,6 +99,17 @@ nacre_status nacre_rgb_to_spectrum(size_t count, const double* rgb, const char* 
                     std::copy(risen.coefficients->begin(), risen.coefficients->end(), coefficients);
             if (error_dE00 != nullptr) *error_dE00++ = risen.error;
         }
+    });
+}
+
+nacre_status nacre_rgb_basis(double* values)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        capi::require(values, "values");
+        const auto& basis = spectral::rgb_basis();
+        for (size_t i = 0; i < spectral::kWavelengths; ++i)
+            for (const spectral::Sampled& reflectance : basis) *values++ = reflectance[i];
     });
 }
 }
