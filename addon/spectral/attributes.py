@@ -17,6 +17,9 @@ IS_SPECTRAL = "nacre_spectral"
 WAVELENGTHS = "nacre_wavelengths"
 """(λ/nm − 595) / 235 of the three bands, as the polynomials of upsampled colours take it."""
 
+BASIS = ("nacre_basis_red", "nacre_basis_green", "nacre_basis_blue")
+"""Reflectances of the primaries of Rec.709 in the three bands."""
+
 Owner = bpy.types.Scene | bpy.types.ViewLayer
 Values = Mapping[str, float | Sequence[float]]
 
@@ -38,7 +41,7 @@ def take_away(owner: Owner) -> None:
 
 
 def _is_ours(name: str) -> bool:
-    return name in (IS_SPECTRAL, WAVELENGTHS) or name.startswith(PREFIX)
+    return name in (IS_SPECTRAL, WAVELENGTHS, *BASIS) or name.startswith(PREFIX)
 
 
 def triple(formula: Formula, name: str) -> bpy.types.NodeSocket:

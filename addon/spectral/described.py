@@ -96,3 +96,7 @@ class Described:
 
 def _plain(value: Any) -> Any:
     return tuple(value) if isinstance(value, list) else value
+
+
+DAYLIGHT = Described(EMISSION, "D65", light="D65")
+"""What lights are made of whose spectrum nobody states."""

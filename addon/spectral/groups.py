@@ -10,14 +10,19 @@ import nacre
 
 from ..blender.formula import Formula
 from ..blender.space import of_file, state
-from ..core.space import conversion_from_xyz, converted
+from ..core.space import REC709, conversion, conversion_from_xyz, converted
 from . import attributes
-from .described import EMISSION, Described, SpectrumError
+from .described import DAYLIGHT, EMISSION, Described, SpectrumError
 
 SPECTRUM = "nacre_spectrum"
 """Custom property of a group of one spectrum: what it is, as Described.text has it."""
-COLOUR = "nacre_colour_spectrum"
-"""Custom property of the group that makes spectra of colours by their coefficients."""
+UPSAMPLING = "nacre_upsampling"
+"""Custom property of a group that makes spectra of colours: which one it is."""
+
+REFLECTANCE_OF_COLOUR = "Colour as Spectrum"
+REFLECTANCE_OF_MIXTURE = "Mixed Colour as Spectrum"
+LIGHT_OF_COLOUR = "Light of a Colour"
+LIGHT_OF_MIXTURE = "Mixed Light"
 
 
 def spectrum_group(spectrum: Described) -> bpy.types.NodeTree:
@@ -35,31 +40,63 @@ def spectrum_group(spectrum: Described) -> bpy.types.NodeTree:
     return group
 
 
-def colour_group() -> bpy.types.NodeTree:
-    """*Color* in RGB; in bands the spectrum R = ½ + x / (2 √(1 + x²)), x = (c0 t + c1) t + c2, of the
-    *Coefficients* c (Jakob and Hanika 2019)."""
+def upsampling_group(name: str) -> bpy.types.NodeTree:
+    """*Color* in RGB; a spectrum in bands. Of a colour that is known, by *Coefficients* that were
+    computed for it; of one that nodes compute, by three spectra of which it is a mixture. A light is
+    D65 through a filter, of a colour through one of the colour over *Scale*."""
     for group in bpy.data.node_groups:
-        if COLOUR in group:
+        if group.get(UPSAMPLING) == name:
             return group
-    group = bpy.data.node_groups.new("Colour as Spectrum", "ShaderNodeTree")
-    group[COLOUR] = True
-    sockets = group.interface
-    sockets.new_socket("Color", in_out="INPUT", socket_type="NodeSocketColor")
-    sockets.new_socket("Coefficients", in_out="INPUT", socket_type="NodeSocketVector")
-    sockets.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
+    group = bpy.data.node_groups.new(name, "ShaderNodeTree")
+    group[UPSAMPLING] = name
+    state(group)
+    group.interface.new_socket("Color", in_out="INPUT", socket_type="NodeSocketColor")
+    if name in (REFLECTANCE_OF_COLOUR, LIGHT_OF_COLOUR):
+        group.interface.new_socket("Coefficients", in_out="INPUT", socket_type="NodeSocketVector")
+    if name == LIGHT_OF_COLOUR:
+        group.interface.new_socket("Scale", in_out="INPUT", socket_type="NodeSocketFloat")
+    group.interface.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
     formula = Formula(group)
-    inputs = formula.node("NodeGroupInput")
+    inputs = formula.node("NodeGroupInput").outputs
+    if "Coefficients" in inputs:
+        banded = _sigmoid(formula, inputs["Coefficients"])
+    else:
+        banded = _mixture(formula, inputs["Color"])
+    if name in (LIGHT_OF_COLOUR, LIGHT_OF_MIXTURE):
+        daylight = attributes.triple(formula, DAYLIGHT.attribute)
+        banded = formula.vector("MULTIPLY", banded, daylight)
+    if "Scale" in inputs:
+        banded = formula.scaled(banded, inputs["Scale"])
+    _give(formula, inputs["Color"], banded)
+    return group
+
+
+def _sigmoid(formula: Formula, coefficients: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
+    """½ + x / (2 √(1 + x²)), x = (c0 t + c1) t + c2 (W. Jakob, J. Hanika 2019)."""
     parts = formula.node("ShaderNodeSeparateXYZ")
-    formula.put(inputs.outputs["Coefficients"], parts.inputs[0])
+    formula.put(coefficients, parts.inputs[0])
     t = attributes.triple(formula, attributes.WAVELENGTHS)
     inner = formula.vector("MULTIPLY_ADD", t, parts.outputs[0], parts.outputs[1])
     x = formula.vector("MULTIPLY_ADD", inner, t, parts.outputs[2])
     square = formula.vector("MULTIPLY_ADD", x, x, (1.0, 1.0, 1.0))
     root = formula.vector("POWER", square, (-0.5, -0.5, -0.5))
     half = formula.vector("MULTIPLY", x, root)
-    banded = formula.vector("MULTIPLY_ADD", half, (0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
-    _give(formula, inputs.outputs["Color"], banded)
-    return group
+    return formula.vector("MULTIPLY_ADD", half, (0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
+
+
+def _mixture(formula: Formula, colour: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
+    """r R(λ) + g G(λ) + b B(λ) (I. Mallett, C. Yuksel 2019), of Rec.709."""
+    matrix = conversion(of_file(), REC709)
+    if matrix is None:
+        parts = formula.node("ShaderNodeSeparateXYZ")
+        formula.put(colour, parts.inputs[0])
+        channels = list(parts.outputs)
+    else:
+        channels = [formula.vector("DOT_PRODUCT", colour, row) for row in matrix]
+    total: object = (0.0, 0.0, 0.0)
+    for channel, name in zip(channels, attributes.BASIS, strict=True):
+        total = formula.vector("MULTIPLY_ADD", attributes.triple(formula, name), channel, total)
+    return total
 
 
 def _give(formula: Formula, rgb: object, banded: bpy.types.NodeSocket) -> None:
@@ -78,6 +115,8 @@ def found_spectra() -> dict[str, Described]:
     """All of the file, by the names of their properties. Raises SpectrumError that names the group."""
     found = {}
     for group in bpy.data.node_groups:
+        if group.get(UPSAMPLING) in (LIGHT_OF_COLOUR, LIGHT_OF_MIXTURE):
+            found[DAYLIGHT.attribute] = DAYLIGHT
         if SPECTRUM not in group:
             continue
         try:

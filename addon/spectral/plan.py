@@ -12,11 +12,8 @@ import numpy as np
 import nacre
 
 from ..core.faults import ForeseenError
-from .attributes import IS_SPECTRAL, WAVELENGTHS, Values, polynomial_variable
-from .described import EMISSION, Described
-
-DAYLIGHT = "D65"
-"""What lights are made of whose spectrum nobody states."""
+from .attributes import BASIS, IS_SPECTRAL, WAVELENGTHS, Values, polynomial_variable
+from .described import DAYLIGHT, EMISSION, Described
 
 
 class PlanError(ForeseenError):
@@ -59,7 +56,9 @@ def make(
     observer: str = "cie1931",
 ) -> Plan:
     """passes: None for as many as lights and films need. Raises PlanError."""
-    lights = [found.as_light for found in spectra.values() if found.kind == EMISSION] or [DAYLIGHT]
+    lights = [found.as_light for found in spectra.values() if found.kind == EMISSION] or [
+        DAYLIGHT.as_light
+    ]
     choice = None
     try:
         if passes is None:
@@ -68,7 +67,11 @@ def make(
             bands = nacre.bands(3 * passes, lights, observer)
     except nacre.NacreError as error:
         raise PlanError(str(error)) from error
-    return Plan(bands, {name: in_bands(bands, found) for name, found in spectra.items()}, choice)
+    values = {name: in_bands(bands, found) for name, found in spectra.items()}
+    nm = np.arange(360.0, 831.0)
+    for name, reflectance in zip(BASIS, nacre.rgb_basis().T, strict=True):
+        values[name] = np.interp(bands.wavelength_nm, nm, reflectance)
+    return Plan(bands, values, choice)
 
 
 def in_bands(bands: nacre.Bands, spectrum: Described) -> np.ndarray:

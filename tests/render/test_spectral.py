@@ -11,6 +11,8 @@ import pytest
 
 import nacre
 from nacre import library
+from support.colours import delta_e as support_delta_e
+from support.images import read_image
 
 FINE = 360.05 + 0.1 * np.arange(4700)
 LIGHTS = ["D65", "A", "F2", "F11", "LED-B3", "lamp/hps", "line:462@1,532@0.8,638@1.2"]
@@ -89,3 +91,54 @@ def test_bands_are_those_of_all_lights():
     bands, choice = nacre.choose_bands(LIGHTS)
     assert choice.met
     assert bands.is_line.sum() == 3
+
+
+@pytest.fixture(scope="module")
+def box(blender):
+    said = blender.call(
+        "spectral.box", folder=str(blender.folder), size=48, samples=64, passes=16
+    )  # fmt: skip
+    pictures = {
+        name: read_image(blender.folder / f"{name}.exr") for name in ("before", "rgb", "after")
+    }
+    file = oiio.ImageBuf(str(blender.folder / "bands.exr"))
+    names = file.spec().channelnames
+    pictures["bands"] = file.get_pixels(oiio.FLOAT)[..., [names.index(name) for name in "RGB"]]
+    return said, pictures
+
+
+def test_every_colour_gets_a_spectrum_once(box):
+    said, _ = box
+    # red, painted, mixed, glowing, lamp, world
+    assert said["spectra"] == said["removed"] == 6
+    assert said["twice"] == 0
+    assert not said["remarks"]
+    assert not said["left"]
+    assert not said["is_spectral"]
+
+
+def test_undo_is_exact(box):
+    _, pictures = box
+    np.testing.assert_array_equal(pictures["after"], pictures["before"])
+
+
+def test_a_spectral_scene_in_rgb_looks_as_before(box):
+    _, pictures = box
+    assert delta_of(pictures["rgb"], pictures["before"]) < 0.3
+
+
+def test_under_its_own_lights_a_spectral_scene_is_near_the_rgb_one(box):
+    _, pictures = box
+    mean = [pictures[name].mean(axis=(0, 1)) for name in ("bands", "before")]
+    np.testing.assert_allclose(mean[0], mean[1], rtol=0.02)
+    assert delta_of(pictures["bands"], pictures["before"]) < 1.0
+
+
+def delta_of(found, expected):
+    """Mean CIEDE2000 of parts of 4 x 4 pixels, noise being what it is."""
+
+    def parts(picture):
+        size = len(picture) // 4
+        return picture.reshape(size, 4, size, 4, 3).mean(axis=(1, 3)) / expected.mean()
+
+    return support_delta_e(0.3 * parts(found), 0.3 * parts(expected)).mean()

@@ -1,0 +1,268 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""*Make Spectral*: every colour of a file gets a spectrum, by a node in front of the socket that takes it.
+
+Nothing else is touched: what was linked or set stays where it was, so that taking the nodes away again
+is an exact undo, and without bands the nodes hand on the colour that comes in. All of the file is
+converted, whatever scene uses it: what is not rendered in bands looks as before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import bpy
+
+import nacre
+
+from ..blender.space import of_file
+from ..core.space import REC709, conversion, converted
+from .groups import (
+    LIGHT_OF_COLOUR,
+    LIGHT_OF_MIXTURE,
+    REFLECTANCE_OF_COLOUR,
+    REFLECTANCE_OF_MIXTURE,
+    SPECTRUM,
+    UPSAMPLING,
+    upsampling_group,
+)
+
+MARK = "nacre_made_spectral"
+"""Custom property of nodes that were put in, and of lamps: what they were before."""
+
+REFLECTANCE, LIGHT = "reflectance", "light"
+
+ROLES: dict[str, dict[str, str]] = {
+    "BSDF_PRINCIPLED": {
+        "Base Color": REFLECTANCE,
+        "Specular Tint": REFLECTANCE,
+        "Coat Tint": REFLECTANCE,
+        "Sheen Tint": REFLECTANCE,
+        "Emission Color": LIGHT,
+    },
+    "BSDF_DIFFUSE": {"Color": REFLECTANCE},
+    "BSDF_GLOSSY": {"Color": REFLECTANCE},
+    "BSDF_ANISOTROPIC": {"Color": REFLECTANCE},
+    "BSDF_METALLIC": {"Base Color": REFLECTANCE, "Edge Tint": REFLECTANCE},
+    "BSDF_GLASS": {"Color": REFLECTANCE},
+    "BSDF_REFRACTION": {"Color": REFLECTANCE},
+    "BSDF_TRANSPARENT": {"Color": REFLECTANCE},
+    "BSDF_TRANSLUCENT": {"Color": REFLECTANCE},
+    "BSDF_SHEEN": {"Color": REFLECTANCE},
+    "BSDF_VELVET": {"Color": REFLECTANCE},
+    "BSDF_TOON": {"Color": REFLECTANCE},
+    "BSDF_HAIR": {"Color": REFLECTANCE},
+    "BSDF_HAIR_PRINCIPLED": {"Color": REFLECTANCE},
+    "BSDF_RAY_PORTAL": {"Color": REFLECTANCE},
+    "SUBSURFACE_SCATTERING": {"Color": REFLECTANCE},
+    "EEVEE_SPECULAR": {
+        "Base Color": REFLECTANCE,
+        "Specular": REFLECTANCE,
+        "Emissive Color": LIGHT,
+    },
+    "VOLUME_ABSORPTION": {"Color": REFLECTANCE},
+    "VOLUME_SCATTER": {"Color": REFLECTANCE},
+    "PRINCIPLED_VOLUME": {
+        "Color": REFLECTANCE,
+        "Absorption Color": REFLECTANCE,
+        "Emission Color": LIGHT,
+    },
+    "EMISSION": {"Color": LIGHT},
+    "BACKGROUND": {"Color": LIGHT},
+}
+"""Colours that light meets or is made of, by type of node and name of socket."""
+
+_STRENGTH = {"Emission Color": "Emission Strength"}
+_GREY = 1e-6
+
+
+@dataclass(frozen=True)
+class Remark:
+    """Something that stays RGB, and where."""
+
+    where: str
+    text: str
+
+
+@dataclass
+class Report:
+    spectra: int = 0
+    remarks: list[Remark] = field(default_factory=list)
+
+
+def make_spectral() -> Report:
+    """Everything of the file that is its own; what is spectral already stays as it is."""
+    report = Report()
+    for light in bpy.data.lights:
+        _convert_lamp(light, report)
+    for world in bpy.data.worlds:
+        if world.use_nodes and world.node_tree is not None:
+            _convert_tree(world.node_tree, f"world {world.name}", report)
+    for where, tree in _material_trees(report):
+        _convert_tree(tree, where, report)
+    return report
+
+
+def make_rgb() -> int:
+    """All that `make_spectral` put in is taken out again. Returns how many spectra that were."""
+    count = 0
+    for tree in _all_trees():
+        for node in [node for node in tree.nodes if MARK in node]:
+            _take_out(tree, node)
+            count += 1
+    for light in bpy.data.lights:
+        if MARK in light:
+            light.color = tuple(light[MARK]["color"])
+            light.use_nodes = bool(light[MARK]["use_nodes"])
+            del light[MARK]
+    for group in [group for group in bpy.data.node_groups if UPSAMPLING in group]:
+        if group.users == 0:
+            bpy.data.node_groups.remove(group)
+    return count
+
+
+def is_spectral() -> bool:
+    return any(MARK in node for tree in _all_trees() for node in tree.nodes)
+
+
+def _material_trees(report: Report) -> Iterator[tuple[str, bpy.types.NodeTree]]:
+    for material in bpy.data.materials:
+        if material.library is not None:
+            report.remarks.append(Remark(material.name, "is linked from another file"))
+        elif material.use_nodes and material.node_tree is not None:
+            yield material.name, material.node_tree
+    for group in bpy.data.node_groups:
+        if group.bl_idname == "ShaderNodeTree" and group.library is None and not _is_ours(group):
+            yield f"node group {group.name}", group
+
+
+def _all_trees() -> Iterator[bpy.types.NodeTree]:
+    for owner in (*bpy.data.materials, *bpy.data.lights, *bpy.data.worlds):
+        if owner.library is None and owner.node_tree is not None:
+            yield owner.node_tree
+    for group in bpy.data.node_groups:
+        if group.bl_idname == "ShaderNodeTree" and group.library is None:
+            yield group
+
+
+def _is_ours(group: bpy.types.NodeTree) -> bool:
+    return SPECTRUM in group or UPSAMPLING in group
+
+
+def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
+    """Its own colour goes into its nodes, which would otherwise multiply a spectrum by RGB."""
+    if light.library is not None:
+        report.remarks.append(Remark(light.name, "is linked from another file"))
+        return
+    if MARK in light:
+        return
+    before = {"color": list(light.color), "use_nodes": light.use_nodes}
+    light.use_nodes = True
+    emissions = [node for node in light.node_tree.nodes if node.type == "EMISSION"]
+    plain = len(emissions) == 1 and not emissions[0].inputs["Color"].is_linked
+    if plain:
+        socket = emissions[0].inputs["Color"]
+        product = [a * b for a, b in zip(light.color, socket.default_value, strict=False)]
+        _put_in(light.node_tree, socket, LIGHT, (*product, 1.0))
+        light.color = (1.0, 1.0, 1.0)
+        report.spectra += 1
+    else:
+        if not _is_grey(light.color):
+            report.remarks.append(
+                Remark(light.name, "the lamp's own colour, on top of its nodes, stays RGB")
+            )
+        _convert_tree(light.node_tree, f"lamp {light.name}", report)
+    light[MARK] = before
+
+
+def _convert_tree(tree: bpy.types.NodeTree, where: str, report: Report) -> None:
+    for node in list(tree.nodes):
+        if node.type == "SCRIPT" and any(output.type == "SHADER" for output in node.outputs):
+            report.remarks.append(Remark(where, f"{node.name}: a shader in OSL; stays RGB"))
+        for name, role in ROLES.get(node.type, {}).items():
+            socket = node.inputs.get(name)
+            if socket is None or not _is_needed(node, socket, role):
+                continue
+            if socket.is_linked and socket.links[0].is_muted:
+                report.remarks.append(
+                    Remark(where, f"{node.name}: {name}: its link is muted; stays RGB")
+                )
+                continue
+            _put_in(tree, socket, role, None)
+            report.spectra += 1
+
+
+def _is_needed(node: bpy.types.Node, socket: bpy.types.NodeSocket, role: str) -> bool:
+    """Not where there is a spectrum already, no light, or a grey, which is one everywhere."""
+    if socket.is_linked:
+        source = socket.links[0].from_node
+        return not (
+            source.type == "GROUP"
+            and source.node_tree is not None
+            and (SPECTRUM in source.node_tree or UPSAMPLING in source.node_tree)
+        )
+    colour = socket.default_value[:3]
+    if role == REFLECTANCE:
+        return not _is_grey(colour)
+    strength = node.inputs.get(_STRENGTH.get(socket.name, "Strength"))
+    dark = strength is not None and not strength.is_linked and strength.default_value == 0.0
+    return any(colour) and not dark
+
+
+def _is_grey(colour) -> bool:
+    return max(colour) - min(colour) <= _GREY * max(1.0, *colour)
+
+
+def _put_in(
+    tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, role: str, colour: tuple | None
+) -> None:
+    """A group between the socket and what it had; `colour` in place of the socket's own."""
+    node = tree.nodes.new("ShaderNodeGroup")
+    node[MARK] = True
+    node.location = (socket.node.location.x - 180.0, socket.node.location.y - 40.0)
+    node.hide = True
+    if socket.is_linked:
+        mixture = REFLECTANCE_OF_MIXTURE if role == REFLECTANCE else LIGHT_OF_MIXTURE
+        node.node_tree = upsampling_group(mixture)
+        tree.links.new(socket.links[0].from_socket, node.inputs["Color"])
+    else:
+        given = tuple(socket.default_value) if colour is None else colour
+        _fill(node, role, given)
+        node.inputs["Color"].default_value = given
+    tree.links.new(node.outputs[0], socket)
+
+
+def _fill(node: bpy.types.ShaderNodeGroup, role: str, colour: tuple) -> None:
+    """With the coefficients of a colour; as a mixture, where no smooth spectrum has it."""
+    rgb = converted(conversion(of_file(), REC709), colour[:3])
+    largest = max(rgb)
+    # A light is D65 through a filter of its colour at half strength, so that even a bright
+    # saturated one gets a smooth spectrum.
+    scale = 1.0 if role == REFLECTANCE else 2.0 * largest
+    try:
+        found = nacre.rgb_to_spectrum([channel / scale for channel in rgb]).coefficients
+    except nacre.NacreError:
+        mixture = REFLECTANCE_OF_MIXTURE if role == REFLECTANCE else LIGHT_OF_MIXTURE
+        node.node_tree = upsampling_group(mixture)
+        return
+    node.node_tree = upsampling_group(
+        REFLECTANCE_OF_COLOUR if role == REFLECTANCE else LIGHT_OF_COLOUR
+    )
+    node.inputs["Coefficients"].default_value = polynomial(found)
+    if role == LIGHT:
+        node.inputs["Scale"].default_value = scale
+
+
+def polynomial(by_nanometre) -> tuple[float, float, float]:
+    """Of t = (λ/nm − 595) / 235, from one of λ/nm; both highest power first."""
+    a, b, c = (float(value) for value in by_nanometre)
+    return 235.0 * 235.0 * a, 235.0 * (2.0 * 595.0 * a + b), (595.0 * a + b) * 595.0 + c
+
+
+def _take_out(tree: bpy.types.NodeTree, node: bpy.types.Node) -> None:
+    source = node.inputs["Color"]
+    if source.is_linked:
+        for link in list(node.outputs[0].links):
+            tree.links.new(source.links[0].from_socket, link.to_socket)
+    tree.nodes.remove(node)
