@@ -19,6 +19,7 @@ from ..viewer.fields import FIELDS
 from .scenes import STAGES
 
 DEFAULT_VIEW = "Khronos PBR Neutral"
+MOST_BANDS = 300
 
 EPILOG = """\
 Cycles is looked for in this order: NACRE_PYTHON (a Python with bpy), NACRE_BLENDER (a Blender program),
@@ -38,6 +39,7 @@ examples:
   nacre render --material soap_film --stage sphere --pixel 320 240 --json
   nacre render --material soap_film --stage sphere --aov thickness --aov cos_theta -o bubble.exr
   nacre render --gallery --size 256x256 --samples 64 -o gallery/
+  nacre render --blend shop.blend --spectral --light Ceiling=F11 --light World=D65 -o shop.exr -o shop.png
   nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o shot_####.exr
 """
 
@@ -158,6 +160,27 @@ def parser() -> argparse.ArgumentParser:
     picture.add_argument("--seed", metavar="S", type=_whole(0), default=0, help="default 0")
     picture.add_argument("--denoise", action="store_true", help="OpenImageDenoise; default off")
     picture.add_argument(
+        "--spectral",
+        action="store_true",
+        help="with a spectrum for every colour: an .exr has a channel for each wavelength besides RGB",
+    )
+    picture.add_argument(
+        "--bands",
+        metavar="N",
+        type=_bands,
+        default=None,
+        help="wavelengths of --spectral, three a pass: a multiple of 3, or auto, as many as the scene's "
+        "lights need (default)",
+    )
+    picture.add_argument(
+        "--light",
+        metavar="LAMP=SPECTRUM",
+        action="append",
+        default=[],
+        help="with --spectral: what a lamp of the scene, or World, is: D65, F11, lamp/hps, blackbody:2700, "
+        "line:589.3 …, as bright as it was; may be repeated",
+    )
+    picture.add_argument(
         "--view",
         metavar="NAME",
         help=f"view transform of a PNG (default {DEFAULT_VIEW!r}, a .blend keeps its own)",
@@ -204,6 +227,16 @@ def _whole(least: int):
         return int(text)
 
     return parse
+
+
+def _bands(text: str) -> int | None:
+    if text == AUTO:
+        return None
+    if not text.isdecimal() or int(text) % 3 or not 3 <= int(text) <= MOST_BANDS:
+        raise argparse.ArgumentTypeError(
+            f"must be auto or a multiple of 3 in 3 … {MOST_BANDS} (got {text!r})"
+        )
+    return int(text)
 
 
 def _size(text: str) -> tuple[int, int]:
@@ -272,7 +305,22 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
         return options
     _check_source(options)
     _check_thickness(options)
+    _check_spectral(options)
     return options
+
+
+def _check_spectral(options: argparse.Namespace) -> None:
+    if (options.light or options.bands is not None) and not options.spectral:
+        raise UsageError(f"{'--light' if options.light else '--bands'} needs --spectral")
+    if not options.spectral:
+        return
+    if options.form == OSL:
+        raise UsageError("--spectral renders materials as nodes: --form osl does not go with it")
+    if options.denoise or options.aov:
+        raise UsageError(
+            f"{'--denoise' if options.denoise else '--aov'} does not go with --spectral"
+        )
+    options.form = NODES
 
 
 def _check_source(options: argparse.Namespace) -> None:

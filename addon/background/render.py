@@ -15,6 +15,7 @@ import traceback
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 import bpy
 
@@ -137,12 +138,16 @@ def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
         raise UsageError(f"--pixel: {library_problem()}")
     job = _blend_job(options) if options.blend else _stage_job(options)
     _set_picture(job.scene, options)
+    bands = _in_bands(job.scene, options)
+    if bands is not None:
+        job.notes += bands.notes
     for note in job.notes:
         if not options.quiet:
             print(f"nacre render: {note}", file=sys.stderr)
     found = _probe(job.scene, options)
-    written = _render(job.scene, options, outputs) if outputs else []
+    written = _render(job.scene, options, outputs, bands) if outputs else []
     return {
+        **({} if bands is None else bands.report()),
         **({"probes": found} if found else {}),
         "output": [str(path) for path in written],
         "materials": job.forms,
@@ -152,6 +157,17 @@ def _run(options: argparse.Namespace, outputs: list[Path]) -> dict:
         "view_transform": job.scene.view_settings.view_transform,
         "seconds": round(time.monotonic() - started, 3),
     }
+
+
+def _in_bands(scene: bpy.types.Scene, options: argparse.Namespace) -> Any:
+    """A spectral.Prepared, or None. Only here is the library of optics needed by those who render."""
+    if not options.spectral:
+        return None
+    if library_problem():
+        raise UsageError(f"--spectral: {library_problem()}")
+    from . import spectral
+
+    return spectral.prepare(scene, options)
 
 
 def _probe(scene: bpy.types.Scene, options: argparse.Namespace) -> list[Probe]:
@@ -389,7 +405,12 @@ def _set_picture(scene: bpy.types.Scene, options: argparse.Namespace) -> None:
             setattr(render, name, False)
 
 
-def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[Path]) -> list[Path]:
+def _render(
+    scene: bpy.types.Scene,
+    options: argparse.Namespace,
+    outputs: list[Path],
+    bands: Any,
+) -> list[Path]:
     writer = output.Writer(scene)
     frames = options.frames or [None]
     written = []
@@ -400,6 +421,10 @@ def _render(scene: bpy.types.Scene, options: argparse.Namespace, outputs: list[P
                 scene.frame_set(frame)
                 paths = [output.frame_path(path, frame) for path in outputs]
             if options.resume and all(path.is_file() for path in paths):
+                continue
+            if bands is not None:
+                bands.render_frame(scene, options, paths)
+                written += paths
                 continue
             label = paths[0].name
             with (

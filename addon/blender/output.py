@@ -96,6 +96,21 @@ class Writer:
                 left.unlink()
 
 
+def save_view(image: bpy.types.Image, scene: bpy.types.Scene, path: Path) -> None:
+    """A picture in the scene's linear space as a PNG, through the scene's view transform."""
+    unfinished = aside(path)
+    try:
+        with _image_settings(scene, "PNG", ""):
+            image.save_render(str(unfinished), scene=scene)
+        if not is_whole(unfinished):
+            raise OutputError(f"{path}: could not be written to its end; is the disc full?")
+        unfinished.replace(path)
+    except (RuntimeError, OSError) as error:
+        raise OutputError(f"{path}: could not be written: {error}") from error
+    finally:
+        unfinished.unlink(missing_ok=True)
+
+
 @contextlib.contextmanager
 def _image_settings(scene: bpy.types.Scene, file_format: str, codec: str) -> Iterator[None]:
     settings = scene.render.image_settings

@@ -69,7 +69,6 @@ def write(
     colour is to be instead of its sum, (some rows, width, 3), as after denoising, or None.
     space: of the colour, the matrix to XYZ with white D65. Raises OSError that names the path.
     """
-    to_rgb = np.asarray(bands.xyz) @ np.asarray(conversion_from_xyz(space)).T
     attributes = {
         "spectralLayoutVersion": "1.0",
         "emissiveUnits": "relative",
@@ -78,8 +77,13 @@ def write(
     }
     with ExrWriter(path, *size, ["R", "G", "B", *bands.channels], attributes) as writer:
         for radiance, given in rows:
-            colour = radiance @ to_rgb if given is None else given
-            writer.append(np.concatenate([colour.astype(np.float32), radiance], axis=-1))
+            seen = colour(radiance, bands, space) if given is None else given
+            writer.append(np.concatenate([seen.astype(np.float32), radiance], axis=-1))
+
+
+def colour(radiance: np.ndarray, bands: BandTable, space: Matrix) -> np.ndarray:
+    """(..., 3) in a space of (..., N)."""
+    return radiance @ (np.asarray(bands.xyz) @ np.asarray(conversion_from_xyz(space)).T)
 
 
 def chromaticities(space: Matrix) -> list[float]:

@@ -18,13 +18,17 @@ import nacre
 
 from ..blender.space import of_file
 from ..core.space import REC709, conversion, converted
+from .described import EMISSION, Described, SpectrumError
 from .groups import (
+    BEFORE,
     LIGHT_OF_COLOUR,
     LIGHT_OF_MIXTURE,
+    LUMINANCE,
     REFLECTANCE_OF_COLOUR,
     REFLECTANCE_OF_MIXTURE,
     SPECTRUM,
     UPSAMPLING,
+    spectrum_group,
     upsampling_group,
 )
 
@@ -116,10 +120,62 @@ def make_rgb() -> int:
             light.color = tuple(light[MARK]["color"])
             light.use_nodes = bool(light[MARK]["use_nodes"])
             del light[MARK]
-    for group in [group for group in bpy.data.node_groups if UPSAMPLING in group]:
+    for group in [group for group in bpy.data.node_groups if _is_ours(group)]:
         if group.users == 0:
             bpy.data.node_groups.remove(group)
     return count
+
+
+def give_lamp(light: bpy.types.Light, spectrum: Described) -> None:
+    """A spectrum in place of the lamp's colour, as bright as that was. Raises SpectrumError."""
+    _convert_lamp(light, Report())
+    sockets = [node.inputs["Color"] for node in light.node_tree.nodes if node.type == "EMISSION"]
+    _give(light.node_tree, sockets, spectrum, f"the lamp {light.name}")
+
+
+def give_world(world: bpy.types.World, spectrum: Described) -> None:
+    """Likewise in place of the world's colour, or of its picture. Raises SpectrumError."""
+    tree = world.node_tree if world.use_nodes else None
+    nodes = tree.nodes if tree is not None else ()
+    sockets = [node.inputs["Color"] for node in nodes if node.type == "BACKGROUND"]
+    _give(tree, sockets, spectrum, f"the world {world.name}")
+
+
+def _give(
+    tree: bpy.types.NodeTree | None,
+    sockets: list[bpy.types.NodeSocket],
+    spectrum: Described,
+    where: str,
+) -> None:
+    if spectrum.kind != EMISSION:
+        raise SpectrumError(f"{where}: {spectrum.name} is a reflectance, not a light")
+    if not sockets:
+        raise SpectrumError(f"{where} has no node that emits light")
+    for socket in sockets:
+        luminance = _luminance(socket)
+        for source in [link.from_node for link in socket.links]:
+            if MARK in source:
+                _take_out(tree, source)
+        node = _new_node(tree, socket)
+        node.node_tree = spectrum_group(spectrum)
+        if socket.is_linked:
+            tree.links.new(socket.links[0].from_socket, node.inputs[BEFORE])
+        node.inputs[LUMINANCE].default_value = luminance
+        tree.links.new(node.outputs[0], socket)
+
+
+def _luminance(socket: bpy.types.NodeSocket) -> float:
+    """Of the colour that a socket has; of one that is computed, as of white."""
+    source = socket.links[0].from_node if socket.is_linked else None
+    if source is None:
+        colour = socket.default_value
+    elif MARK in source and LUMINANCE in source.inputs:
+        return source.inputs[LUMINANCE].default_value
+    elif MARK in source and not source.inputs["Color"].is_linked:
+        colour = source.inputs["Color"].default_value
+    else:
+        return 1.0
+    return sum(row * channel for row, channel in zip(of_file()[1], colour, strict=False))
 
 
 def is_spectral() -> bool:
@@ -218,10 +274,7 @@ def _put_in(
     tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, role: str, colour: tuple | None
 ) -> None:
     """A group between the socket and what it had; `colour` in place of the socket's own."""
-    node = tree.nodes.new("ShaderNodeGroup")
-    node[MARK] = True
-    node.location = (socket.node.location.x - 180.0, socket.node.location.y - 40.0)
-    node.hide = True
+    node = _new_node(tree, socket)
     if socket.is_linked:
         mixture = REFLECTANCE_OF_MIXTURE if role == REFLECTANCE else LIGHT_OF_MIXTURE
         node.node_tree = upsampling_group(mixture)
@@ -231,6 +284,14 @@ def _put_in(
         _fill(node, role, given)
         node.inputs["Color"].default_value = given
     tree.links.new(node.outputs[0], socket)
+
+
+def _new_node(tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bpy.types.ShaderNodeGroup:
+    node = tree.nodes.new("ShaderNodeGroup")
+    node[MARK] = True
+    node.location = (socket.node.location.x - 180.0, socket.node.location.y - 40.0)
+    node.hide = True
+    return node
 
 
 def _fill(node: bpy.types.ShaderNodeGroup, role: str, colour: tuple) -> None:
@@ -261,7 +322,7 @@ def polynomial(by_nanometre) -> tuple[float, float, float]:
 
 
 def _take_out(tree: bpy.types.NodeTree, node: bpy.types.Node) -> None:
-    source = node.inputs["Color"]
+    source = node.inputs.get(BEFORE) or node.inputs["Color"]
     if source.is_linked:
         for link in list(node.outputs[0].links):
             tree.links.new(source.links[0].from_socket, link.to_socket)

@@ -8,7 +8,7 @@ import bpy
 
 import nacre
 
-from ..blender.formula import Formula
+from ..blender.formula import Formula, Operand
 from ..blender.space import of_file, state
 from ..core.space import REC709, conversion, conversion_from_xyz, converted
 from . import attributes
@@ -16,6 +16,8 @@ from .described import DAYLIGHT, EMISSION, Described, SpectrumError
 
 SPECTRUM = "nacre_spectrum"
 """Custom property of a group of one spectrum: what it is, as Described.text has it."""
+LUMINANCE, BEFORE = "Luminance", "Before"
+"""Inputs of such a group."""
 UPSAMPLING = "nacre_upsampling"
 """Custom property of a group that makes spectra of colours: which one it is."""
 
@@ -26,17 +28,27 @@ LIGHT_OF_MIXTURE = "Mixed Light"
 
 
 def spectrum_group(spectrum: Described) -> bpy.types.NodeTree:
-    """One output, *Color*: of a light it has Y = 1. The group that is there, or a new one."""
+    """*Color*; of a light as bright as its *Luminance*. *Before* does nothing but hold what was where
+    the group is now. The group that is there, or a new one."""
     for group in bpy.data.node_groups:
         if group.get(SPECTRUM) == spectrum.text:
             return group
     group = bpy.data.node_groups.new(f"Spectrum: {spectrum.name}"[:63], "ShaderNodeTree")
     group[SPECTRUM] = spectrum.text
     state(group)
-    group.interface.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
+    sockets = group.interface
+    if spectrum.kind == EMISSION:
+        luminance = sockets.new_socket(LUMINANCE, in_out="INPUT", socket_type="NodeSocketFloat")
+        luminance.default_value = 1.0
+    before = sockets.new_socket(BEFORE, in_out="INPUT", socket_type="NodeSocketColor")
+    before.hide_value = True
+    sockets.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
     formula = Formula(group)
-    banded = attributes.triple(formula, spectrum.attribute)
-    _give(formula, (*rgb_of(spectrum), 1.0), banded)
+    inputs = formula.node("NodeGroupInput").outputs
+    chosen = _choice(
+        formula, (*rgb_of(spectrum), 1.0), attributes.triple(formula, spectrum.attribute)
+    )
+    _end(formula, formula.scaled(chosen, inputs[LUMINANCE]) if LUMINANCE in inputs else chosen)
     return group
 
 
@@ -67,7 +79,7 @@ def upsampling_group(name: str) -> bpy.types.NodeTree:
         banded = formula.vector("MULTIPLY", banded, daylight)
     if "Scale" in inputs:
         banded = formula.scaled(banded, inputs["Scale"])
-    _give(formula, inputs["Color"], banded)
+    _end(formula, _choice(formula, inputs["Color"], banded))
     return group
 
 
@@ -99,16 +111,18 @@ def _mixture(formula: Formula, colour: bpy.types.NodeSocket) -> bpy.types.NodeSo
     return total
 
 
-def _give(formula: Formula, rgb: object, banded: bpy.types.NodeSocket) -> None:
-    """To the output: one or the other."""
-    choice = formula.node("ShaderNodeMix", data_type="RGBA")
-    factor, a, b = (socket for socket in choice.inputs if socket.enabled)
+def _choice(formula: Formula, rgb: Operand, banded: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
+    """One where RGB is rendered, the other where bands are."""
+    mix = formula.node("ShaderNodeMix", data_type="RGBA")
+    factor, a, b = (socket for socket in mix.inputs if socket.enabled)
     formula.put(attributes.number(formula, attributes.IS_SPECTRAL), factor)
     formula.put(rgb, a)
     formula.put(banded, b)
-    result = next(socket for socket in choice.outputs if socket.enabled)
-    output = formula.node("NodeGroupOutput")
-    formula.put(result, output.inputs["Color"])
+    return next(socket for socket in mix.outputs if socket.enabled)
+
+
+def _end(formula: Formula, result: bpy.types.NodeSocket) -> None:
+    formula.put(result, formula.node("NodeGroupOutput").inputs["Color"])
 
 
 def found_spectra() -> dict[str, Described]:

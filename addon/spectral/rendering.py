@@ -5,7 +5,9 @@
 from __future__ import annotations
 
 import contextlib
+import json
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import bpy
@@ -14,13 +16,9 @@ import numpy as np
 from ..blender import output
 from ..blender.space import of_file
 from ..core import exr, spectral_image
-from ..core.faults import ForeseenError
+from ..core.whole_file import write_whole
 from . import attributes
 from .plan import Plan
-
-
-class RenderError(ForeseenError):
-    """A scene cannot be rendered in bands."""
 
 
 def samples_for(samples: int, passes: int) -> int:
@@ -64,38 +62,97 @@ def begin_pass(scene: bpy.types.Scene, plan: Plan, number: int) -> None:
     attributes.put(scene, plan.properties(number))
 
 
-def render(scene: bpy.types.Scene, plan: Plan, samples: int, path: Path) -> None:
-    """Waits for all passes and writes the spectral picture."""
-    folder = path.with_name(f"{path.name}.passes")
-    folder.mkdir(exist_ok=True)
-    writer = output.Writer(scene, compressed=False)
-    files = [folder / f"{number:03d}.exr" for number in range(plan.passes)]
-    with prepared(scene, plan, samples):
-        for number, file in enumerate(files):
-            begin_pass(scene, plan, number)
-            bpy.ops.render.render(scene=scene.name)
-            writer.save(file)
-    combine(files, plan, path)
-    for file in files:
-        file.unlink()
-    folder.rmdir()
+@dataclass(frozen=True)
+class Passes:
+    """Files of the passes of one picture, which outlive a render that was killed.
+
+    `told` is all that makes the picture what it is: files of another one are not taken for it.
+    """
+
+    folder: Path
+    plan: Plan
+    told: str
+
+    @property
+    def files(self) -> list[Path]:
+        return [self.folder / f"{number:03d}.exr" for number in range(self.plan.passes)]
+
+    @property
+    def _note(self) -> Path:
+        return self.folder / "passes.json"
+
+    def begin(self, *, resume: bool) -> None:
+        """The folder with what can be gone on from, if that is wanted, else empty."""
+        self.folder.mkdir(exist_ok=True)
+        with contextlib.suppress(OSError, UnicodeDecodeError):
+            if resume and self._note.read_text("utf-8") == self.told:
+                return
+        for left in self.folder.iterdir():
+            left.unlink()
+        write_whole(self._note, self.told)
+
+    def missing(self) -> list[int]:
+        return [number for number, file in enumerate(self.files) if not file.is_file()]
+
+    def end(self) -> None:
+        for left in self.folder.iterdir():
+            left.unlink()
+        self.folder.rmdir()
 
 
-def combine(files: list[Path], plan: Plan, path: Path) -> None:
-    """From one file for each pass. Raises ExrError, or OSError that names a path."""
-    bands = plan.bands
-    table = spectral_image.BandTable(
-        bands.observer, bands.edges_nm, bands.wavelength_nm, bands.XYZ, bands.is_line
-    )
-    radiance = None
-    for number, file in enumerate(files):
+def beside(path: Path, scene: bpy.types.Scene, plan: Plan, samples: int) -> Passes:
+    """In a folder beside the picture."""
+    render = scene.render
+    told = {
+        "bands": table_of(plan).text(),
+        "values": {
+            name: [float(value) for value in of_all] for name, of_all in plan.values.items()
+        },
+        "samples": samples,
+        "seed": scene.cycles.seed,
+        "size": [render.resolution_x, render.resolution_y, render.resolution_percentage],
+        "frame": scene.frame_current,
+        "file": bpy.data.filepath,
+    }
+    return Passes(path.with_name(f"{path.name}.passes"), plan, json.dumps(told, sort_keys=True))
+
+
+def radiance_of(passes: Passes) -> np.ndarray:
+    """float32 (height, width, N) per nm, from all files. Raises ExrError."""
+    plan, radiance = passes.plan, None
+    for number, file in enumerate(passes.files):
         width, channels = exr.read_picture(file, "RGB")
         if radiance is None:
-            radiance = np.empty((len(channels[0]) // width, width, len(bands)), np.float32)
+            radiance = np.empty((len(channels[0]) // width, width, len(plan.bands)), np.float32)
         for k, values in zip(plan.indices(number), channels, strict=True):
             radiance[..., k] = np.frombuffer(values, np.float32).reshape(radiance.shape[:2])
     assert radiance is not None
+    return radiance
+
+
+def table_of(plan: Plan) -> spectral_image.BandTable:
+    bands = plan.bands
+    return spectral_image.BandTable(
+        bands.observer, bands.edges_nm, bands.wavelength_nm, bands.XYZ, bands.is_line
+    )
+
+
+def write(radiance: np.ndarray, plan: Plan, path: Path) -> None:
+    """The spectral picture. Raises OSError that names the path."""
     height, width = radiance.shape[:2]
     lines = exr.LINES_OF_ZIP
     rows = ((radiance[row : row + lines], None) for row in range(0, height, lines))
-    spectral_image.write(path, (width, height), table, of_file(), rows)
+    spectral_image.write(path, (width, height), table_of(plan), of_file(), rows)
+
+
+def show(radiance: np.ndarray, plan: Plan, scene: bpy.types.Scene, path: Path) -> None:
+    """As the scene's view transform shows it, a PNG."""
+    height, width = radiance.shape[:2]
+    pixels = np.ones((height, width, 4), np.float32)
+    pixels[..., :3] = spectral_image.colour(radiance, table_of(plan), of_file())
+    image = bpy.data.images.new("Nacre Spectral", width, height, float_buffer=True, is_data=False)
+    try:
+        image.pixels.foreach_set(pixels[::-1].ravel())
+        output.save_view(image, scene, path)
+    finally:
+        bpy.data.images.remove(image)

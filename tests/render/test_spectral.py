@@ -61,22 +61,28 @@ def delta_e(a, b, white):
     return colour.delta_E(colour.XYZ_to_Lab(a, xy), colour.XYZ_to_Lab(b, xy))
 
 
+def read_spectral(file):
+    """XYZ of RGB, and how many bands there are."""
+    buffer = oiio.ImageBuf(str(file))
+    names = buffer.spec().channelnames
+    pixels = buffer.get_pixels(oiio.FLOAT)
+    rgb = pixels[..., [names.index(name) for name in "RGB"]]
+    xyz = rgb @ colour.RGB_COLOURSPACES["sRGB"].matrix_RGB_to_XYZ.T
+    return xyz, sum(name.startswith("S0.") for name in names)
+
+
 @pytest.fixture(scope="module")
 def chart(blender):
-    """Radiances (lights, patches, N) of the middle of each patch, and its XYZ."""
+    """XYZ of the middle of each patch."""
     file = blender.folder / "chart.exr"
     said = blender.call(
         "spectral.chart",
         reflectances=CHART, lights=LIGHTS, file=str(file), size=SIZE, samples=8, passes=0,
     )  # fmt: skip
     assert not said["left"]
-    buffer = oiio.ImageBuf(str(file))
-    names = buffer.spec().channelnames
-    pixels = buffer.get_pixels(oiio.FLOAT)[SIZE // 2 :: SIZE, SIZE // 2 :: SIZE]
-    bands = [index for index, name in enumerate(names) if name.startswith("S0.")]
-    assert len(bands) == 3 * said["passes"]
-    rgb = pixels[..., [names.index(name) for name in "RGB"]]
-    return rgb @ colour.RGB_COLOURSPACES["sRGB"].matrix_RGB_to_XYZ.T
+    xyz, bands = read_spectral(file)
+    assert bands == 3 * said["passes"]
+    return xyz[SIZE // 2 :: SIZE, SIZE // 2 :: SIZE]
 
 
 @pytest.mark.parametrize("light", LIGHTS)
@@ -85,6 +91,27 @@ def test_chart_has_the_colours_that_it_should(chart, light):
     errors = delta_e(chart[LIGHTS.index(light)], expected, white)
     assert errors.mean() <= 0.1
     assert errors.max() <= 0.3
+
+
+@pytest.mark.parametrize("light", ["F11", "lamp/hps", LIGHTS[-1]])
+def test_matt_patches_under_a_lamp(blender, light):
+    """The lamp is as bright as its colour was, and what it shines on has its colour under it."""
+    blender.call(
+        "spectral.lit_chart",
+        reflectances=CHART, light=light, folder=str(blender.folder), size=SIZE, samples=8, passes=0,
+    )  # fmt: skip
+    xyz, _ = read_spectral(blender.folder / "bands.exr")
+    patches = xyz[SIZE // 2, SIZE // 2 :: SIZE]
+    white = patches[-1]
+    expected, expected_white = exact(light)
+    np.testing.assert_allclose(white / white[1], expected_white, atol=1e-3)
+    errors = delta_e(patches[:-1] / white[1], expected, expected_white)
+    assert errors.mean() <= 0.1
+    assert errors.max() <= 0.3
+    before = read_image(blender.folder / "before.exr")
+    luminance = colour.RGB_COLOURSPACES["sRGB"].matrix_RGB_to_XYZ[1] @ before[SIZE // 2, -1]
+    assert white[1] == pytest.approx(luminance, rel=5e-3)
+    np.testing.assert_array_equal(read_image(blender.folder / "after.exr"), before)
 
 
 def test_bands_are_those_of_all_lights():

@@ -9,21 +9,43 @@ from pathlib import Path
 import bpy
 
 from . import extension
+from .furnace import film as furnace_film
 from .pictures import empty_scene, render_picture
+
+
+def _patch(scene: bpy.types.Scene, column: int, row: int, material: bpy.types.Material) -> None:
+    mesh = bpy.data.meshes.new("patch")
+    x, y = float(column), -float(row)
+    corners = [(x, y, 0), (x + 1, y, 0), (x + 1, y - 1, 0), (x, y - 1, 0)]
+    mesh.from_pydata(corners, [], [(3, 2, 1, 0)])
+    mesh.materials.append(material)
+    scene.collection.objects.link(bpy.data.objects.new("patch", mesh))
+
+
+def _seen_from_above(scene: bpy.types.Scene, columns: int, rows: int, size: int) -> None:
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.data.type = "ORTHO"
+    camera.data.ortho_scale = float(max(columns, rows))
+    camera.location = (columns / 2, -rows / 2, 5.0)
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.render.resolution_x, scene.render.resolution_y = size * columns, size * rows
+    scene.render.filter_size = 0.01
+
+
+def _spectrum_node(tree: bpy.types.NodeTree, name: str) -> bpy.types.NodeSocket:
+    node = tree.nodes.new("ShaderNodeGroup")
+    described = extension.module("spectral.described").Described
+    node.node_tree = extension.module("spectral.groups").spectrum_group(described.named(name))
+    return node.outputs[0]
 
 
 def chart(
     *, reflectances: list[str], lights: list[str], file: str, size: int, samples: int, passes: int
 ) -> dict:
-    """Patches in a row under each light in turn, seen from above; one row of the picture a light.
-
-    A white world of one light cannot be had together with others, so each row is an emission: the
-    light times the reflectance, as a furnace would show it.
-    """
-    groups = extension.module("spectral.groups")
-    described = extension.module("spectral.described").Described
+    """Patches seen from above, a row of the picture for each light: what they emit is the light times
+    the reflectance."""
     scene = empty_scene()
-    columns, rows = len(reflectances), len(lights)
     for row, light in enumerate(lights):
         for column, reflectance in enumerate(reflectances):
             material = bpy.data.materials.new(f"{light} {reflectance}")
@@ -33,35 +55,67 @@ def chart(
             both = tree.nodes.new("ShaderNodeVectorMath")
             both.operation = "MULTIPLY"
             for socket, name in zip(both.inputs, (light, reflectance), strict=False):
-                node = tree.nodes.new("ShaderNodeGroup")
-                node.node_tree = groups.spectrum_group(described.named(name))
-                tree.links.new(node.outputs[0], socket)
+                tree.links.new(_spectrum_node(tree, name), socket)
             emission = tree.nodes.new("ShaderNodeEmission")
             out = tree.nodes.new("ShaderNodeOutputMaterial")
             tree.links.new(both.outputs[0], emission.inputs["Color"])
             tree.links.new(emission.outputs[0], out.inputs["Surface"])
-            mesh = bpy.data.meshes.new("patch")
-            x, y = float(column), -float(row)
-            corners = [(x, y, 0), (x + 1, y, 0), (x + 1, y - 1, 0), (x, y - 1, 0)]
-            mesh.from_pydata(corners, [], [(3, 2, 1, 0)])
-            mesh.materials.append(material)
-            scene.collection.objects.link(bpy.data.objects.new("patch", mesh))
-    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
-    camera.data.type = "ORTHO"
-    camera.data.ortho_scale = float(max(columns, rows))
-    camera.location = (columns / 2, -rows / 2, 5.0)
-    scene.collection.objects.link(camera)
-    scene.camera = camera
-    scene.render.resolution_x, scene.render.resolution_y = size * columns, size * rows
-    scene.render.filter_size = 0.01
+            _patch(scene, column, row, material)
+    _seen_from_above(scene, len(reflectances), len(lights), size)
     return rendered(scene, file, samples, passes)
+
+
+def lit_chart(
+    *, reflectances: list[str], light: str, folder: str, size: int, samples: int, passes: int
+) -> dict:
+    """A row of matt patches, the last one white, under a coloured lamp that gets a spectrum: as they
+    were (before.exr), in bands (bands.exr), and with everything undone (after.exr)."""
+    convert = extension.module("spectral.convert")
+    described = extension.module("spectral.described").Described
+    scene = empty_scene()
+    for column, reflectance in enumerate([*reflectances, ""]):
+        material = bpy.data.materials.new(reflectance or "white")
+        material.use_nodes = True
+        tree = material.node_tree
+        tree.nodes.clear()
+        diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
+        diffuse.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+        out = tree.nodes.new("ShaderNodeOutputMaterial")
+        tree.links.new(diffuse.outputs[0], out.inputs["Surface"])
+        if reflectance:
+            tree.links.new(_spectrum_node(tree, reflectance), diffuse.inputs["Color"])
+        _patch(scene, column, 0, material)
+    lamp = bpy.data.lights.new("lamp", "SUN")
+    lamp.angle, lamp.energy, lamp.color = 0.0, 2.0, (1.0, 0.8, 0.5)
+    scene.collection.objects.link(bpy.data.objects.new("lamp", lamp))
+    _seen_from_above(scene, len(reflectances) + 1, 1, size)
+    places = {name: str(Path(folder) / f"{name}.exr") for name in ("before", "bands", "after")}
+    width, height = scene.render.resolution_x, scene.render.resolution_y
+    render_picture(scene, width, height, 1, places["before"])
+    convert.make_spectral()
+    convert.give_lamp(lamp, described.named("A"))
+    convert.give_lamp(lamp, described.named(light))
+    said = rendered(scene, places["bands"], samples, passes)
+    removed = convert.make_rgb()
+    render_picture(scene, width, height, 1, places["after"])
+    return {**said, "removed": removed}
 
 
 def rendered(scene: bpy.types.Scene, file: str, samples: int, passes: int) -> dict:
     plan = extension.module("spectral.plan")
     groups = extension.module("spectral.groups")
     made = plan.make(groups.found_spectra(), passes or None)
-    extension.module("spectral.rendering").render(scene, made, samples, Path(file))
+    rendering = extension.module("spectral.rendering")
+    kept = rendering.beside(Path(file), scene, made, samples)
+    kept.begin(resume=False)
+    writer = extension.module("blender.output").Writer(scene, compressed=False)
+    with rendering.prepared(scene, made, samples):
+        for number in kept.missing():
+            rendering.begin_pass(scene, made, number)
+            bpy.ops.render.render(scene=scene.name)
+            writer.save(kept.files[number])
+    rendering.write(rendering.radiance_of(kept), made, Path(file))
+    kept.end()
     return {"passes": made.passes, "left": [key for key in scene.keys() if "nacre" in key]}  # noqa: SIM118
 
 
@@ -158,3 +212,16 @@ def box(*, folder: str, size: int, samples: int, passes: int) -> dict:
         "removed": removed,
         "is_spectral": convert.is_spectral(),
     }
+
+
+def film(*, material: str, folder: str, size: int, samples: int, passes: int) -> dict:
+    """A sphere of a film under white, in RGB (before.exr) and in bands (bands.exr)."""
+    convert = extension.module("spectral.convert")
+    bpy.ops.wm.read_homefile(use_empty=True)
+    stage = extension.module("background.scenes").build_stage("furnace")
+    stage.place(furnace_film(stage.scene, {"material": material, "form": "nodes", "values": {}}))
+    before, bands = (str(Path(folder) / f"{name}.exr") for name in ("before", "bands"))
+    render_picture(stage.scene, size, size, samples, before)
+    report = convert.make_spectral()
+    said = rendered(stage.scene, bands, samples, passes)
+    return {**said, "remarks": [[remark.where, remark.text] for remark in report.remarks]}

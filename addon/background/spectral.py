@@ -1,0 +1,101 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`nacre render --spectral`: the scene in bands."""
+
+from __future__ import annotations
+
+import argparse
+from dataclasses import dataclass
+from pathlib import Path
+
+import bpy
+
+from ..blender import output
+from ..spectral import convert, groups, plan, rendering
+from ..spectral.described import Described, SpectrumError
+from . import console
+from .options import UsageError
+
+WORLD = "World"
+"""What the command line calls the scene's world."""
+
+
+@dataclass
+class Prepared:
+    """A file that is spectral, the bands that it is rendered in, and what to say about it."""
+
+    plan: plan.Plan
+    notes: list[str]
+    taken_over: int = 0
+    """Passes that a render before this one had left."""
+
+    def report(self) -> dict:
+        """`delta_e`: mean error of the library's reflectances under the light that is worst off."""
+        choice = self.plan.choice
+        return {
+            "bands": len(self.plan.bands),
+            "passes": self.plan.passes,
+            "passes_resumed": self.taken_over,
+            **({} if choice is None else {"delta_e": round(choice.error.mean, 4)}),
+        }
+
+    def render_frame(
+        self, scene: bpy.types.Scene, options: argparse.Namespace, paths: list[Path]
+    ) -> None:
+        """All passes, then the files. What was rendered of a picture that was stopped is kept in a folder
+        beside it, from which --resume goes on."""
+        samples = scene.cycles.samples
+        passes = rendering.beside(paths[0], scene, self.plan, samples)
+        passes.begin(resume=options.resume)
+        missing = passes.missing()
+        self.taken_over += passes.plan.passes - len(missing)
+        writer = output.Writer(scene, compressed=False)
+        with (
+            console.stop_on_signals(writer.discard),
+            rendering.prepared(scene, passes.plan, samples),
+        ):
+            for number in missing:
+                rendering.begin_pass(scene, passes.plan, number)
+                label = f"{paths[0].name} {number + 1}/{passes.plan.passes}"
+                with console.Complaints(options.quiet), console.Progress(label, options.quiet):
+                    bpy.ops.render.render(scene=scene.name)
+                writer.save(passes.files[number])
+        radiance = rendering.radiance_of(passes)
+        for path in paths:
+            if path.suffix.lower() == ".png":
+                rendering.show(radiance, passes.plan, scene, path)
+            else:
+                rendering.write(radiance, passes.plan, path)
+        passes.end()
+
+
+def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
+    """Every colour of the file gets a spectrum, and bands are chosen. Raises ForeseenError."""
+    report = convert.make_spectral()
+    for text in options.light:
+        _give_light(scene, text)
+    passes = None if options.bands is None else options.bands // 3
+    made = plan.make(groups.found_spectra(), passes)
+    notes = [f"{remark.where}: {remark.text}" for remark in report.remarks]
+    if made.choice is not None and not made.choice.met:
+        notes.append(
+            f"{len(made.bands)} bands, the most there are, show these lights within "
+            f"ΔE00 {made.choice.error.mean:.2f} on average"
+        )
+    return Prepared(made, notes)
+
+
+def _give_light(scene: bpy.types.Scene, text: str) -> None:
+    name, _, spectrum = text.partition("=")
+    lamps = {item.name: item.data for item in scene.objects if item.type == "LIGHT"}
+    if name not in lamps and (name != WORLD or scene.world is None):
+        known = ", ".join([*lamps, *([WORLD] if scene.world is not None else [])]) or "none"
+        raise UsageError(f"--light: no lamp {name!r} in the scene {scene.name}; there are: {known}")
+    try:
+        described = Described.named(spectrum)
+        if name in lamps:
+            convert.give_lamp(lamps[name], described)
+        else:
+            convert.give_world(scene.world, described)
+    except SpectrumError as error:
+        raise UsageError(f"--light: {error}") from error

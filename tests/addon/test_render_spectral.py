@@ -1,0 +1,139 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""`render --spectral`: pictures in bands, wrong usage, what was interrupted."""
+
+from __future__ import annotations
+
+import json
+import signal
+import subprocess
+import time
+
+import numpy as np
+import OpenImageIO as oiio
+import pytest
+
+from support.images import read_all, read_image
+from support.paths import DRIVER, FIXTURES
+
+WHAT = ("--material", "test_film", "--stage", "furnace", "--size", "16x16", "--samples", "24")
+
+
+def channels_of(path):
+    buffer = oiio.ImageBuf(str(path))
+    return dict(
+        zip(
+            buffer.spec().channelnames,
+            np.moveaxis(buffer.get_pixels(oiio.FLOAT), -1, 0),
+            strict=True,
+        )
+    )
+
+
+def test_an_exr_has_a_channel_for_each_wavelength(blender, tmp_path):
+    exr, png = tmp_path / "a.exr", tmp_path / "a.png"
+    done = blender.render(*WHAT, "--spectral", "--view", "Standard", "--json", "-o", exr, "-o", png)
+    assert done.returncode == 0, done.stderr
+    report = json.loads(done.stdout)
+    assert report["materials"] == {"test_film": "nodes"}
+    assert (report["bands"], report["passes"], report["passes_resumed"]) == (24, 8, 0)
+    assert 0.0 < report["delta_e"] <= 0.1
+    found = channels_of(exr)
+    assert sum(name.startswith("S0.") for name in found) == 24
+    rgb = np.stack([found[name] for name in "RGB"], axis=-1)
+    assert rgb.max() > 0.1
+    encoded = np.where(
+        rgb <= 0.0031308, 12.92 * rgb, 1.055 * np.maximum(rgb, 0) ** (1 / 2.4) - 0.055
+    )
+    np.testing.assert_allclose(read_image(png), np.clip(encoded, 0, 1), atol=0.005)
+    assert sorted(path.name for path in tmp_path.glob("a*")) == ["a.exr", "a.png"]
+
+
+def test_under_daylight_a_film_has_the_colours_of_rgb(blender, tmp_path):
+    bands, rgb = tmp_path / "bands.exr", tmp_path / "rgb.exr"
+    for path, how in ((bands, ("--spectral", "--bands", "48")), (rgb, ("--form", "nodes"))):
+        done = blender.render(*WHAT, *how, "-o", path)
+        assert done.returncode == 0, done.stderr
+    found = np.stack([channels_of(bands)[name] for name in "RGB"], axis=-1)
+    np.testing.assert_allclose(found.mean((0, 1)), read_image(rgb).mean((0, 1)), rtol=5e-3)
+
+
+def test_a_lamp_can_be_any_light(blender45, tmp_path):
+    """White under sodium is orange, as bright as under the world's own white."""
+    found = {}
+    for light in ("World=D65", "World=lamp/lps"):
+        path = tmp_path / "a.exr"
+        done = blender45.render(*WHAT, "--spectral", "--light", light, "-o", path)
+        assert done.returncode == 0, done.stderr
+        found[light] = np.array([channels_of(path)[name].max() for name in "RGB"])
+    daylight, sodium = found.values()
+    assert daylight[2] > 0.2
+    assert sodium[0] > 2 * sodium[1]
+    assert sodium[2] < 0.0
+
+
+def test_a_render_that_was_killed_goes_on(blender45, tmp_path):
+    """Only the passes that are not there yet are rendered; the picture is that of one go."""
+    whole, path = tmp_path / "whole.exr", tmp_path / "a.exr"
+    what = (*WHAT[:-3], "64x64", "--samples", "240", "--spectral", "--bands", "30")
+    process = subprocess.Popen(
+        blender45.command(DRIVER, "render", *what, "--quiet", "-o", path),
+        env=blender45.surroundings,
+    )
+    folder = tmp_path / "a.exr.passes"
+    deadline = time.monotonic() + 120
+    while not (folder / "002.exr").exists():
+        assert process.poll() is None
+        assert time.monotonic() < deadline
+        time.sleep(0.01)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    assert not path.exists()
+    done = blender45.render(*what, "--resume", "--json", "-o", path)
+    assert done.returncode == 0, done.stderr
+    assert 3 <= json.loads(done.stdout)["passes_resumed"] <= 9
+    assert not folder.exists()
+    done = blender45.render(*what, "-o", whole)
+    assert done.returncode == 0, done.stderr
+    np.testing.assert_array_equal(read_all(path)[0], read_all(whole)[0])
+
+
+def test_passes_of_another_picture_are_not_taken_for_it(blender45, tmp_path):
+    path = tmp_path / "a.exr"
+    folder = tmp_path / "a.exr.passes"
+    folder.mkdir()
+    (folder / "passes.json").write_text("{}")
+    (folder / "000.exr").write_bytes(b"something else")
+    done = blender45.render(*WHAT, "--spectral", "--resume", "--json", "-o", path)
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["passes_resumed"] == 0
+    assert not folder.exists()
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (("--spectral", "--bands", "25"), "must be auto or a multiple of 3 in 3 … 300 (got '25')"),
+        (("--bands", "24"), "--bands needs --spectral"),
+        (("--light", "World=A"), "--light needs --spectral"),
+        (("--spectral", "--light", "Key=A"), "--light: no lamp 'Key' in the scene"),
+        (("--spectral", "--light", "World=candle"), "--light: illuminant: must be one of E, A"),
+        (("--spectral", "--light", "World=colorchecker/red"), "is a reflectance, not a light"),
+        (("--spectral", "--form", "osl"), "--form osl does not go with it"),
+        (("--spectral", "--denoise"), "--denoise does not go with --spectral"),
+        (("--spectral", "--aov", "thickness"), "--aov does not go with --spectral"),
+    ],
+)
+def test_wrong_usage(blender45, tmp_path, options, message):
+    done = blender45.render(*WHAT, *options, "-o", tmp_path / "a.exr")
+    assert done.returncode == 1
+    assert message in done.stderr
+    assert not (tmp_path / "a.exr").exists()
+
+
+def test_a_material_without_nodes_is_refused(blender45, tmp_path):
+    done = blender45.render(
+        "--compiled", FIXTURES / "test_grating", *WHAT[2:], "--spectral", "-o", tmp_path / "a.exr"
+    )
+    assert done.returncode == 1
+    assert "has no form as nodes; OSL is needed for it" in done.stderr
