@@ -31,6 +31,13 @@ TABLE_SHARE, EXACT_SHARE = 0.75, 1.9
 LAYERS_SHARE = 1.03
 # Mean dE00 of at most 0.01, where Blender's own film is off by 0.4 or more.
 COLOUR_TARGET = 40.0
+# What bands may be worse than RGB with as many samples.
+SPECTRAL_SHARES = {"luminance": 1.08, "chroma": 1.35, "seconds": 1.12}
+SPECTRAL_WHAT = {
+    "luminance": "noise of Y",
+    "chroma": "noise of a* and b*",
+    "seconds": "CPU seconds",
+}
 FORMS = {"svm": "nodes", "osl": "OSL"}
 PEERS = {"principled": "Principled with thin film", "metallic": "Metallic with thin film"}
 
@@ -47,26 +54,46 @@ def start_up() -> list[Result]:
     return benchmark.results()
 
 
-def render() -> list[Result]:
-    """In each Blender that is here."""
+def in_each_blender(script: str) -> list[dict]:
+    """What a script prints in those that are here."""
     pythons = dict.fromkeys(
         os.environ[name] for name in ("NACRE_PYTHON", "NACRE_BPY52") if name in os.environ
     )
-    return [result for python in pythons for result in render_in(python)]
+    measured = []
+    for python in pythons:
+        done = subprocess.run(
+            [python, HERE / script, "--addon", ROOT / "addon"],
+            capture_output=True, text=True, check=False,
+            env={**os.environ, "PYTHONPATH": str(ROOT / "cpp_tools" / "python")},
+        )  # fmt: skip
+        lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
+        # bpy may crash while Python takes it down, after all is done.
+        if not lines:
+            raise SystemExit(f"{script} failed:\n{done.stdout[-2000:]}{done.stderr[-4000:]}")
+        measured.append(json.loads(lines[-1].removeprefix("RESULT ")))
+    return measured
 
 
-def render_in(python: str) -> list[Result]:
-    done = subprocess.run(
-        [python, HERE / "render_film.py", "--addon", ROOT / "addon"],
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
-    # bpy may crash while Python takes it down, after all is done.
-    if not lines:
-        raise SystemExit(f"render_film.py failed:\n{done.stdout[-2000:]}{done.stderr[-4000:]}")
-    measured = json.loads(lines[-1].removeprefix("RESULT "))
+def spectral() -> list[Result]:
+    return [
+        Result(
+            id=f"spectral-{name}-{found['blender'][:3]}",
+            what=f"{SPECTRAL_WHAT[name]} of a Cornell box in bands beside RGB, 96 samples each",
+            ours=found["measured"]["bands"][name],
+            peer=found["measured"]["rgb"][name],
+            peer_version=f"RGB, Blender {found['blender']}",
+            target=1 / share,
+        )
+        for found in in_each_blender("render_spectral.py")
+        for name, share in SPECTRAL_SHARES.items()
+    ]
+
+
+def render() -> list[Result]:
+    return [result for found in in_each_blender("render_film.py") for result in films(found)]
+
+
+def films(measured: dict) -> list[Result]:
     seconds, version = measured["seconds"], measured["blender"]
 
     def compare(what: str, ours: str, peer: str, peer_name: str, share: float) -> Result:
@@ -115,7 +142,13 @@ def colour() -> list[Result]:
     ]
 
 
-PARTS = {"start": start_up, "stacks": stacks, "render": render, "colour": colour}
+PARTS = {
+    "start": start_up,
+    "stacks": stacks,
+    "render": render,
+    "spectral": spectral,
+    "colour": colour,
+}
 
 
 def scaling(folder: Path) -> str:

@@ -1,0 +1,192 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Runs in a Python with bpy: noise and CPU time of a scene in bands beside plain RGB, equal samples.
+
+A Cornell box with painted walls and two blocks under one lamp, whose colours bleed into each other.
+Noise is the RMS difference from a picture of many samples, of RGB or bands each from its own: of Y
+over its mean, and of a* and b*. Prints one line of JSON.
+"""
+
+from __future__ import annotations
+
+import argparse
+import importlib
+import importlib.util
+import json
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+PACKAGE = "nacre_extension"
+ROOM = {
+    "white": (0.73, 0.73, 0.73),
+    "red": (0.6, 0.06, 0.05),
+    "green": (0.1, 0.4, 0.12),
+    "yellow": (0.75, 0.6, 0.05),
+    "blue": (0.05, 0.08, 0.4),
+}
+SAMPLES, MANY, PASSES = 96, 2048, 8
+
+
+def load_extension(folder: Path) -> None:
+    spec = importlib.util.spec_from_file_location(
+        "nacre_driver", folder / "background" / "driver.py"
+    )
+    driver = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(driver)
+    driver.load_package(PACKAGE)
+
+
+def extension(module: str):
+    return importlib.import_module(f"{PACKAGE}.{module}")
+
+
+def material(name: str) -> bpy.types.Material:
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    tree = made.node_tree
+    tree.nodes.clear()
+    diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
+    diffuse.inputs["Color"].default_value = (*ROOM[name], 1.0)
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(diffuse.outputs[0], output.inputs["Surface"])
+    return made
+
+
+def box(size: tuple[int, int]) -> bpy.types.Scene:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    scene.render.engine = "CYCLES"
+    scene.render.resolution_x, scene.render.resolution_y = size
+    scene.render.threads_mode, scene.render.threads = "FIXED", 2
+    cycles = scene.cycles
+    cycles.use_adaptive_sampling = cycles.use_denoising = False
+    cycles.max_bounces = cycles.diffuse_bounces = 8
+    cycles.sample_clamp_indirect = 0.0
+    paint = {name: material(name) for name in ROOM}
+
+    def wall(corners: list, name: str) -> None:
+        mesh = bpy.data.meshes.new(name)
+        mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+        mesh.materials.append(paint[name])
+        scene.collection.objects.link(bpy.data.objects.new(name, mesh))
+
+    a = 1.33
+    wall([(-a, -1, 0), (a, -1, 0), (a, 1, 0), (-a, 1, 0)], "white")
+    wall([(-a, -1, 2), (a, -1, 2), (a, 1, 2), (-a, 1, 2)], "white")
+    wall([(-a, 1, 0), (a, 1, 0), (a, 1, 2), (-a, 1, 2)], "white")
+    wall([(-a, -1, 0), (-a, 1, 0), (-a, 1, 2), (-a, -1, 2)], "red")
+    wall([(a, -1, 0), (a, 1, 0), (a, 1, 2), (a, -1, 2)], "green")
+    bpy.ops.mesh.primitive_uv_sphere_add(
+        segments=48, ring_count=24, radius=0.42, location=(-0.55, 0.1, 0.42)
+    )
+    bpy.context.object.data.materials.append(paint["yellow"])
+    bpy.ops.mesh.primitive_cube_add(size=0.7, location=(0.55, 0.3, 0.35), rotation=(0, 0, 0.5))
+    bpy.context.object.data.materials.append(paint["blue"])
+
+    lamp = bpy.data.lights.new("lamp", "AREA")
+    lamp.size, lamp.energy = 0.6, 40.0
+    placed = bpy.data.objects.new("lamp", lamp)
+    placed.location = (0.0, 0.0, 1.98)
+    scene.collection.objects.link(placed)
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.data.lens = 38.0
+    camera.location, camera.rotation_euler = (0.0, -4.2, 1.0), (np.pi / 2, 0.0, 0.0)
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    return scene
+
+
+def read(file: Path) -> np.ndarray:
+    width, channels = extension("core.exr").read_picture(file, "RGB")
+    return np.stack([np.array(values).reshape(-1, width) for values in channels], axis=-1)
+
+
+def in_rgb(scene: bpy.types.Scene, samples: int, seed: int, folder: Path) -> tuple:
+    scene.cycles.samples, scene.cycles.seed = samples, seed
+    scene.render.use_persistent_data = True
+    start = time.process_time()  # of all threads: other programs do not count
+    bpy.ops.render.render()
+    extension("blender.output").Writer(scene, compressed=False).save(folder / "rgb.exr")
+    seconds = time.process_time() - start
+    return read(folder / "rgb.exr"), seconds
+
+
+def in_bands(scene: bpy.types.Scene, samples: int, seed: int, folder: Path) -> tuple:
+    rendering = extension("spectral.rendering")
+    spectra = extension("spectral.groups").found_spectra()
+    plan = extension("spectral.plan").make(spectra, PASSES)
+    scene.cycles.seed = seed
+    passes = rendering.beside(folder / "bands.exr", scene, plan, samples)
+    passes.begin(resume=False)
+    writer = extension("blender.output").Writer(scene, compressed=False)
+    with rendering.prepared(scene, plan, samples):
+        rendering.begin_pass(scene, plan, 0)
+        start = time.process_time()
+        for number in passes.missing():
+            rendering.begin_pass(scene, plan, number)
+            bpy.ops.render.render()
+            writer.save(passes.files[number])
+        seconds = time.process_time() - start
+    image = extension("core.spectral_image")
+    space = extension("blender.space").of_file()
+    rgb = image.colour(rendering.radiance_of(passes), rendering.table_of(plan), space)
+    passes.end()
+    return rgb, seconds
+
+
+def lab(rgb: np.ndarray, white: float) -> np.ndarray:
+    to_xyz = np.array(extension("core.space").REC709)
+    xyz = np.maximum(rgb @ to_xyz.T, 0.0) / (to_xyz.sum(axis=1) * white)
+    f = np.where(xyz > 216 / 24389, np.cbrt(xyz), (24389 / 27 * xyz + 16) / 116)
+    x, y, z = np.moveaxis(f, -1, 0)
+    return np.stack([116 * y - 16, 500 * (x - y), 200 * (y - z)], axis=-1)
+
+
+def noise(found: np.ndarray, reference: np.ndarray) -> tuple[float, float]:
+    """Of luminance, relative; of colour, in a* and b*."""
+    row = np.array(extension("core.space").REC709[1])
+    difference, y = (found - reference) @ row, reference @ row
+    white = float(np.percentile(y, 99))
+    chroma = lab(found, white)[..., 1:] - lab(reference, white)[..., 1:]
+    return (
+        float(np.sqrt(np.mean(difference**2)) / y.mean()),
+        float(np.sqrt((chroma**2).sum(axis=-1).mean())),
+    )
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--addon", type=Path, required=True)
+    parser.add_argument("--size", type=int, nargs=2, default=(160, 120))
+    parser.add_argument("--repeats", type=int, default=4)
+    options = parser.parse_args()
+    load_extension(options.addon)
+    scene = box(tuple(options.size))
+    folder = Path(tempfile.mkdtemp())
+    reference = {"rgb": in_rgb(scene, MANY, 1, folder)[0]}
+    results: dict[str, list] = {"rgb": [], "bands": []}
+    for seed in range(options.repeats):
+        results["rgb"].append(in_rgb(scene, SAMPLES, 10 + seed, folder))
+    extension("spectral.convert").make_spectral()
+    reference["bands"] = in_bands(scene, MANY, 1, folder)[0]
+    for seed in range(options.repeats):
+        results["bands"].append(in_bands(scene, SAMPLES, 10 + seed, folder))
+    measured = {}
+    for name, renders in results.items():
+        both = [noise(picture, reference[name]) for picture, _ in renders]
+        measured[name] = {
+            "luminance": float(np.mean([pair[0] for pair in both])),
+            "chroma": float(np.mean([pair[1] for pair in both])),
+            "seconds": min(seconds for _, seconds in renders),
+        }
+    sys.stdout.flush()
+    print("RESULT " + json.dumps({"measured": measured, "blender": bpy.app.version_string}))
+
+
+if __name__ == "__main__":
+    main()
