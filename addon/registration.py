@@ -21,6 +21,7 @@ NAMES = (
     "variations",
     "looks",
     "viewer",
+    "spectral",
     "assets",
     "help",
     "background",

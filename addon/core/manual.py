@@ -15,6 +15,7 @@ PAGES = (
     ("models", "Techniques", "What a film's colour is computed by"),
     ("rough", "Rough Surfaces", "Rough and brushed films"),
     ("viewer", "Probe, Views and Passes", "Numbers at a point, fields, passes and pictures"),
+    ("spectral", "Spectral Rendering", "Wavelengths in place of red, green and blue"),
     ("library", "Materials and Media", "Optical constants, spectra, and those of one's own"),
 )
 

@@ -9,33 +9,25 @@ converted, whatever scene uses it: what is not rendered in bands looks as before
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import bpy
-
-import nacre
 
 from ..blender.space import of_file
 from ..core.space import REC709, conversion, converted
 from .described import EMISSION, Described, SpectrumError
 from .groups import (
-    BEFORE,
     LIGHT_OF_COLOUR,
     LIGHT_OF_MIXTURE,
-    LUMINANCE,
     REFLECTANCE_OF_COLOUR,
     REFLECTANCE_OF_MIXTURE,
-    SPECTRUM,
-    UPSAMPLING,
     spectrum_group,
     upsampling_group,
 )
-
-MARK = "nacre_made_spectral"
-"""Custom property of nodes that were put in, and of lamps: what they were before."""
+from .marks import BEFORE, LUMINANCE, MADE, SPECTRUM, UPSAMPLING, is_ours, trees
 
 REFLECTANCE, LIGHT = "reflectance", "light"
+LINKED = "is linked from another file; stays RGB"
 
 ROLES: dict[str, dict[str, str]] = {
     "BSDF_PRINCIPLED": {
@@ -83,10 +75,15 @@ _GREY = 1e-6
 
 @dataclass(frozen=True)
 class Remark:
-    """Something that stays RGB, and where."""
+    """Something that stays RGB: of which block of data, and what."""
 
-    where: str
+    kind: str  # "material", "lamp", "world", "node group"
+    name: str
     text: str
+
+    @property
+    def where(self) -> str:
+        return f"{self.kind} {self.name}"
 
 
 @dataclass
@@ -100,27 +97,34 @@ def make_spectral() -> Report:
     report = Report()
     for light in bpy.data.lights:
         _convert_lamp(light, report)
-    for world in bpy.data.worlds:
-        if world.use_nodes and world.node_tree is not None:
-            _convert_tree(world.node_tree, f"world {world.name}", report)
-    for where, tree in _material_trees(report):
-        _convert_tree(tree, where, report)
+    for kind, owners in (("world", bpy.data.worlds), ("material", bpy.data.materials)):
+        for owner in owners:
+            if owner.library is not None:
+                report.remarks.append(Remark(kind, owner.name, LINKED))
+            elif owner.use_nodes and owner.node_tree is not None:
+                _convert_tree(owner.node_tree, kind, owner.name, report)
+    for group in bpy.data.node_groups:
+        if group.bl_idname == "ShaderNodeTree" and not is_ours(group):
+            if group.library is not None:
+                report.remarks.append(Remark("node group", group.name, LINKED))
+            else:
+                _convert_tree(group, "node group", group.name, report)
     return report
 
 
 def make_rgb() -> int:
     """All that `make_spectral` put in is taken out again. Returns how many spectra that were."""
     count = 0
-    for tree in _all_trees():
-        for node in [node for node in tree.nodes if MARK in node]:
+    for tree in trees():
+        for node in [node for node in tree.nodes if MADE in node]:
             _take_out(tree, node)
             count += 1
     for light in bpy.data.lights:
-        if MARK in light:
-            light.color = tuple(light[MARK]["color"])
-            light.use_nodes = bool(light[MARK]["use_nodes"])
-            del light[MARK]
-    for group in [group for group in bpy.data.node_groups if _is_ours(group)]:
+        if MADE in light:
+            light.color = tuple(light[MADE]["color"])
+            light.use_nodes = bool(light[MADE]["use_nodes"])
+            del light[MADE]
+    for group in [group for group in bpy.data.node_groups if is_ours(group)]:
         if group.users == 0:
             bpy.data.node_groups.remove(group)
     return count
@@ -154,7 +158,7 @@ def _give(
     for socket in sockets:
         luminance = _luminance(socket)
         for source in [link.from_node for link in socket.links]:
-            if MARK in source:
+            if MADE in source:
                 _take_out(tree, source)
         node = _new_node(tree, socket)
         node.node_tree = spectrum_group(spectrum)
@@ -169,49 +173,21 @@ def _luminance(socket: bpy.types.NodeSocket) -> float:
     source = socket.links[0].from_node if socket.is_linked else None
     if source is None:
         colour = socket.default_value
-    elif MARK in source and LUMINANCE in source.inputs:
+    elif MADE in source and LUMINANCE in source.inputs:
         return source.inputs[LUMINANCE].default_value
-    elif MARK in source and not source.inputs["Color"].is_linked:
+    elif MADE in source and not source.inputs["Color"].is_linked:
         colour = source.inputs["Color"].default_value
     else:
         return 1.0
     return sum(row * channel for row, channel in zip(of_file()[1], colour, strict=False))
 
 
-def is_spectral() -> bool:
-    return any(MARK in node for tree in _all_trees() for node in tree.nodes)
-
-
-def _material_trees(report: Report) -> Iterator[tuple[str, bpy.types.NodeTree]]:
-    for material in bpy.data.materials:
-        if material.library is not None:
-            report.remarks.append(Remark(material.name, "is linked from another file"))
-        elif material.use_nodes and material.node_tree is not None:
-            yield material.name, material.node_tree
-    for group in bpy.data.node_groups:
-        if group.bl_idname == "ShaderNodeTree" and group.library is None and not _is_ours(group):
-            yield f"node group {group.name}", group
-
-
-def _all_trees() -> Iterator[bpy.types.NodeTree]:
-    for owner in (*bpy.data.materials, *bpy.data.lights, *bpy.data.worlds):
-        if owner.library is None and owner.node_tree is not None:
-            yield owner.node_tree
-    for group in bpy.data.node_groups:
-        if group.bl_idname == "ShaderNodeTree" and group.library is None:
-            yield group
-
-
-def _is_ours(group: bpy.types.NodeTree) -> bool:
-    return SPECTRUM in group or UPSAMPLING in group
-
-
 def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
     """Its own colour goes into its nodes, which would otherwise multiply a spectrum by RGB."""
     if light.library is not None:
-        report.remarks.append(Remark(light.name, "is linked from another file"))
+        report.remarks.append(Remark("lamp", light.name, LINKED))
         return
-    if MARK in light:
+    if MADE in light:
         return
     before = {"color": list(light.color), "use_nodes": light.use_nodes}
     light.use_nodes = True
@@ -226,23 +202,23 @@ def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
     else:
         if not _is_grey(light.color):
             report.remarks.append(
-                Remark(light.name, "the lamp's own colour, on top of its nodes, stays RGB")
+                Remark("lamp", light.name, "its own colour, on top of its nodes, stays RGB")
             )
-        _convert_tree(light.node_tree, f"lamp {light.name}", report)
-    light[MARK] = before
+        _convert_tree(light.node_tree, "lamp", light.name, report)
+    light[MADE] = before
 
 
-def _convert_tree(tree: bpy.types.NodeTree, where: str, report: Report) -> None:
+def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Report) -> None:
     for node in list(tree.nodes):
         if node.type == "SCRIPT" and any(output.type == "SHADER" for output in node.outputs):
-            report.remarks.append(Remark(where, f"{node.name}: a shader in OSL; stays RGB"))
+            report.remarks.append(Remark(kind, owner, f"{node.name}: a shader in OSL; stays RGB"))
         for name, role in ROLES.get(node.type, {}).items():
             socket = node.inputs.get(name)
             if socket is None or not _is_needed(node, socket, role):
                 continue
             if socket.is_linked and socket.links[0].is_muted:
                 report.remarks.append(
-                    Remark(where, f"{node.name}: {name}: its link is muted; stays RGB")
+                    Remark(kind, owner, f"{node.name}: {name}: its link is muted; stays RGB")
                 )
                 continue
             _put_in(tree, socket, role, None)
@@ -288,7 +264,7 @@ def _put_in(
 
 def _new_node(tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bpy.types.ShaderNodeGroup:
     node = tree.nodes.new("ShaderNodeGroup")
-    node[MARK] = True
+    node[MADE] = True
     node.location = (socket.node.location.x - 180.0, socket.node.location.y - 40.0)
     node.hide = True
     return node
@@ -296,6 +272,8 @@ def _new_node(tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bpy.typ
 
 def _fill(node: bpy.types.ShaderNodeGroup, role: str, colour: tuple) -> None:
     """With the coefficients of a colour; as a mixture, where no smooth spectrum has it."""
+    import nacre
+
     rgb = converted(conversion(of_file(), REC709), colour[:3])
     largest = max(rgb)
     # A light is D65 through a filter of its colour at half strength, so that even a bright

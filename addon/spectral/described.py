@@ -8,12 +8,13 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import asdict, dataclass
-from typing import Any
-
-import nacre
+from typing import TYPE_CHECKING, Any
 
 from ..core.faults import ForeseenError
 from .attributes import PREFIX
+
+if TYPE_CHECKING:
+    import nacre
 
 VERSION = 1
 EMISSION, REFLECTANCE = "emission", "reflectance"
@@ -37,6 +38,8 @@ class Described:
     @classmethod
     def named(cls, name: str) -> Described:
         """A key of the library, or a light by its name. Raises SpectrumError."""
+        import nacre
+
         try:
             if "/" in name:
                 return cls.of_spectrum(nacre.library.spectrum(name))
@@ -85,10 +88,14 @@ class Described:
 
     @property
     def as_light(self) -> str | nacre.LightSamples:
+        import nacre
+
         return self.light or nacre.LightSamples(self.wavelength_nm, self.values)
 
     @property
     def as_spectrum(self) -> nacre.library.Spectrum:
+        import nacre
+
         return nacre.library.Spectrum(
             "", self.name, self.kind, "", "", "", self.wavelength_nm, self.values
         )

@@ -6,20 +6,12 @@ from __future__ import annotations
 
 import bpy
 
-import nacre
-
 from ..blender.formula import Formula, Operand
 from ..blender.space import of_file, state
 from ..core.space import REC709, conversion, conversion_from_xyz, converted
 from . import attributes
 from .described import DAYLIGHT, EMISSION, Described, SpectrumError
-
-SPECTRUM = "nacre_spectrum"
-"""Custom property of a group of one spectrum: what it is, as Described.text has it."""
-LUMINANCE, BEFORE = "Luminance", "Before"
-"""Inputs of such a group."""
-UPSAMPLING = "nacre_upsampling"
-"""Custom property of a group that makes spectra of colours: which one it is."""
+from .marks import BEFORE, LUMINANCE, SPECTRUM, UPSAMPLING
 
 REFLECTANCE_OF_COLOUR = "Colour as Spectrum"
 REFLECTANCE_OF_MIXTURE = "Mixed Colour as Spectrum"
@@ -143,6 +135,8 @@ def found_spectra() -> dict[str, Described]:
 
 def rgb_of(spectrum: Described) -> tuple[float, float, float]:
     """In the file's space: a reflectance under D65, a light with Y = 1."""
+    import nacre
+
     if spectrum.kind == EMISSION:
         power = (
             nacre.illuminant(spectrum.light)

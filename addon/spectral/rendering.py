@@ -145,14 +145,25 @@ def write(radiance: np.ndarray, plan: Plan, path: Path) -> None:
     spectral_image.write(path, (width, height), table_of(plan), of_file(), rows)
 
 
-def show(radiance: np.ndarray, plan: Plan, scene: bpy.types.Scene, path: Path) -> None:
-    """As the scene's view transform shows it, a PNG."""
+def as_image(radiance: np.ndarray, plan: Plan, name: str) -> bpy.types.Image:
+    """A picture of the file in its linear space; one of that name is filled anew."""
     height, width = radiance.shape[:2]
     pixels = np.ones((height, width, 4), np.float32)
     pixels[..., :3] = spectral_image.colour(radiance, table_of(plan), of_file())
-    image = bpy.data.images.new("Nacre Spectral", width, height, float_buffer=True, is_data=False)
+    image = bpy.data.images.get(name)
+    if image is None or tuple(image.size) != (width, height):
+        if image is not None:
+            bpy.data.images.remove(image)
+        image = bpy.data.images.new(name, width, height, float_buffer=True, is_data=False)
+    image.pixels.foreach_set(pixels[::-1].ravel())
+    image.update()
+    return image
+
+
+def show(radiance: np.ndarray, plan: Plan, scene: bpy.types.Scene, path: Path) -> None:
+    """As the scene's view transform shows it, a PNG."""
+    image = as_image(radiance, plan, f"{path.name} of bands")
     try:
-        image.pixels.foreach_set(pixels[::-1].ravel())
         output.save_view(image, scene, path)
     finally:
         bpy.data.images.remove(image)

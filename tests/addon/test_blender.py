@@ -104,3 +104,7 @@ def test_osl_asks_for_no_file_without_a_name(blender, tmp_path):
     blender = blender.with_materials("oil_on_water")
     printed = blender.script("materials/save", tmp_path, "osl", "oil_on_water")
     assert "Failed to load" not in printed
+
+
+def test_spectral_scene_and_back(blender, tmp_path):
+    blender.script("spectral/scene", tmp_path)

@@ -210,7 +210,7 @@ def box(*, folder: str, size: int, samples: int, passes: int) -> dict:
         "remarks": [[remark.where, remark.text] for remark in report.remarks],
         "twice": twice.spectra,
         "removed": removed,
-        "is_spectral": convert.is_spectral(),
+        "is_spectral": extension.module("spectral.marks").is_spectral(),
     }
 
 

@@ -75,7 +75,7 @@ menu.menu("NACRE_MT_object")
 clicked = {
     "assign_look", "remove_look", "take_variation", "dismiss", "copy_probe",
     "read_as_data", "remove_thickness_source", "move_thickness_source", "set_thickness",
-    "remove_layer", "move_layer", "vary_layer", "finish_stack", "apply_preset",
+    "remove_layer", "move_layer", "vary_layer", "finish_stack", "apply_preset", "show_rgb",
 }  # fmt: skip
 known = {operator.bl_idname for operator in operators}
 assert known - menu.found == {f"nacre.{name}" for name in clicked}, known - menu.found

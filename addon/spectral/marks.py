@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What says in a file that it is spectral, for those who only look."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import bpy
+
+SPECTRUM = "nacre_spectrum"
+"""Custom property of a group of one spectrum: what it is, as Described.text has it."""
+LUMINANCE, BEFORE = "Luminance", "Before"
+"""Inputs of such a group."""
+UPSAMPLING = "nacre_upsampling"
+"""Custom property of a group that makes spectra of colours: which one it is."""
+MADE = "nacre_made_spectral"
+"""Custom property of nodes that were put in, and of lamps: what they were before."""
+
+
+def is_spectral() -> bool:
+    """Whether colours of the file have spectra. Panels ask this at each redraw."""
+    return any(is_ours(group) and group.users for group in bpy.data.node_groups)
+
+
+def is_ours(group: bpy.types.NodeTree) -> bool:
+    return SPECTRUM in group or UPSAMPLING in group
+
+
+def trees() -> Iterator[bpy.types.NodeTree]:
+    """Of shaders of the file's own."""
+    for owner in (*bpy.data.materials, *bpy.data.lights, *bpy.data.worlds):
+        if owner.library is None and owner.node_tree is not None:
+            yield owner.node_tree
+    for group in bpy.data.node_groups:
+        if group.bl_idname == "ShaderNodeTree" and group.library is None:
+            yield group
+
+
+def lit_by(tree: bpy.types.NodeTree | None) -> str:
+    """What a lamp's or a world's light is, or nothing where it has no spectrum of a name."""
+    for node in tree.nodes if tree is not None else ():
+        if node.type in ("EMISSION", "BACKGROUND"):
+            for link in node.inputs["Color"].links:
+                source = link.from_node
+                group = source.node_tree if source.type == "GROUP" else None
+                if group is not None and SPECTRUM in group:
+                    return group.name.removeprefix("Spectrum: ")
+    return ""

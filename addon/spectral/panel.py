@@ -1,0 +1,81 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether a file is spectral, what its lamps are, and what stays RGB."""
+
+from __future__ import annotations
+
+import bpy
+
+from ..blender import wrapped
+from ..materials.documented import Documented
+from . import marks, operators
+
+_MOST_LAMPS, _MOST_REMARKS = 12, 8
+
+
+class _Spectral(Documented):
+    bl_label = "Spectral"
+    manual_page = "spectral"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layout = self.layout
+        if not marks.is_spectral():
+            layout.operator("nacre.make_spectral", text="Make Spectral", icon="COLORSET_13_VEC")
+            return
+        _draw_lamps(layout, context.scene)
+        _draw_remarks(layout)
+        row = layout.row()
+        row.operator_context = "INVOKE_DEFAULT"
+        row.scale_y = 1.3
+        row.operator("nacre.render_spectral", text="Render Spectral…", icon="RENDER_STILL")
+        row = layout.row(align=True)
+        row.operator("nacre.make_spectral", text="Include What Is New", icon="FILE_REFRESH")
+        row.operator("nacre.make_rgb", text="Back to RGB", icon="X")
+
+
+def _draw_lamps(layout, scene) -> None:
+    lamps = [(item.name, item.data.node_tree) for item in scene.objects if item.type == "LIGHT"]
+    if scene.world is not None:
+        lamps.append((operators.WORLD, scene.world.node_tree))
+    column = layout.column(align=True)
+    for name, tree in lamps[:_MOST_LAMPS]:
+        split = column.split(factor=0.45)
+        split.label(text=name, icon="WORLD" if name == operators.WORLD else "LIGHT")
+        row = split.row()
+        row.operator_context = "INVOKE_DEFAULT"
+        row.operator("nacre.give_light", text=marks.lit_by(tree) or "Its Colour").lamp = name
+    if len(lamps) > _MOST_LAMPS:
+        column.label(text=f"… and {len(lamps) - _MOST_LAMPS} more")
+
+
+def _draw_remarks(layout) -> None:
+    found = operators.remarks()
+    if not found:
+        return
+    box = layout.box()
+    box.label(text="Stays RGB", icon="INFO")
+    for remark in found[:_MOST_REMARKS]:
+        row = box.row()
+        wrapped.label(row.column(), f"{remark.where}: {remark.text}", "BLANK1")
+        show = row.operator("nacre.show_rgb", text="", icon="RESTRICT_SELECT_OFF", emboss=False)
+        show.kind, show.name = remark.kind, remark.name
+    if len(found) > _MOST_REMARKS:
+        box.label(text=f"… and {len(found) - _MOST_REMARKS} more")
+
+
+class NACRE_PT_viewport_spectral(_Spectral, bpy.types.Panel):
+    bl_space_type = "VIEW_3D"
+    bl_region_type = "UI"
+    bl_category = "Nacre"
+    bl_order = 8
+
+
+class NACRE_PT_render_spectral(_Spectral, bpy.types.Panel):
+    bl_label = "Nacre Spectral"
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    bl_context = "render"
+
+
+CLASSES = (NACRE_PT_viewport_spectral, NACRE_PT_render_spectral)
