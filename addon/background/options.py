@@ -316,10 +316,8 @@ def _check_spectral(options: argparse.Namespace) -> None:
         return
     if options.form == OSL:
         raise UsageError("--spectral renders materials as nodes: --form osl does not go with it")
-    if options.denoise or options.aov:
-        raise UsageError(
-            f"{'--denoise' if options.denoise else '--aov'} does not go with --spectral"
-        )
+    if options.aov:
+        raise UsageError("--aov does not go with --spectral")
     options.form = NODES
 
 

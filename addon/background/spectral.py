@@ -10,7 +10,6 @@ from pathlib import Path
 
 import bpy
 
-from ..blender import output
 from ..spectral import convert, groups, plan, rendering
 from ..spectral.described import Described, SpectrumError
 from . import console
@@ -44,28 +43,28 @@ class Prepared:
     ) -> None:
         """All passes, then the files. What was rendered of a picture that was stopped is kept in a folder
         beside it, from which --resume goes on."""
-        samples = scene.cycles.samples
-        passes = rendering.beside(paths[0], scene, self.plan, samples)
+        samples, plan = scene.cycles.samples, self.plan
+        passes = rendering.beside(paths[0], scene, plan, samples, denoise=options.denoise)
         passes.begin(resume=options.resume)
         missing = passes.missing()
-        self.taken_over += passes.plan.passes - len(missing)
-        writer = output.Writer(scene, compressed=False)
+        self.taken_over += plan.passes - len(missing)
         with (
-            console.stop_on_signals(writer.discard),
-            rendering.prepared(scene, passes.plan, samples),
+            console.stop_on_signals(lambda: None),
+            rendering.prepared(scene, plan, samples, denoise=options.denoise),
         ):
             for number in missing:
-                rendering.begin_pass(scene, passes.plan, number)
-                label = f"{paths[0].name} {number + 1}/{passes.plan.passes}"
+                rendering.begin_pass(scene, plan, number)
+                label = f"{paths[0].name} {number + 1}/{plan.passes}"
                 with console.Complaints(options.quiet), console.Progress(label, options.quiet):
                     bpy.ops.render.render(scene=scene.name)
-                writer.save(passes.files[number])
-        radiance = rendering.radiance_of(passes)
+                passes.save(scene, number)
+        found = rendering.rendered(passes)
+        rgb = rendering.colour_of(found, scene, samples)
         for path in paths:
             if path.suffix.lower() == ".png":
-                rendering.show(radiance, passes.plan, scene, path)
+                rendering.show(found, rgb, scene, path)
             else:
-                rendering.write(radiance, passes.plan, path)
+                rendering.write(found, rgb, scene, path)
         passes.end()
 
 

@@ -1,12 +1,13 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
 """OpenEXR files as far as the extension reads them itself: headers, chunks, and the pixels of
-uncompressed scan-line files with channels of 32 bits. Blender gives no other way to the layers of a
-render. Source: OpenEXR file layout, https://openexr.com/en/latest/OpenEXRFileLayout.html."""
+scan-line files with channels of 32 bits, not compressed or ZIP. Blender gives no other way to the
+layers of a render. Source: OpenEXR file layout, https://openexr.com/en/latest/OpenEXRFileLayout.html."""
 
 from __future__ import annotations
 
 import struct
+import zlib
 from array import array
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -21,6 +22,8 @@ LINES_OF_ZIP = 16
 # Scan lines in a chunk, by the code of the compression ("compression").
 _LINES = {0: 1, 1: 1, 2: 1, 3: LINES_OF_ZIP, 4: 32, 5: 16, 6: 32, 7: 32, 8: 32, 9: 256}
 _FLOAT = 2
+_NONE, _DEFLATED = 0, (2, 3)
+_LONGEST_HEADER = 1 << 16
 
 
 class ExrError(ForeseenError):
@@ -67,16 +70,14 @@ class File:
             yield line, start + 8, size
 
 
-def read_picture(path: Path, names: str) -> tuple[int, list[array]]:
-    """The width, and the channels of these names, each row by row from the top, of a file of one
-    part. Raises ExrError, also where a channel is missing."""
+def size_of(path: Path) -> tuple[int, int]:
+    """Width and height. Raises ExrError."""
     try:
-        file = File.parse(path.read_bytes())
-        x_min, _, x_max, _ = struct.unpack("<4i", file.parts[0].attributes["dataWindow"])
-        channels = _read_part(file, file.parts[0])
-        return x_max - x_min + 1, [channels[name] for name in names]
+        attributes, _ = _header(path.read_bytes()[:_LONGEST_HEADER], 8)
+        x_min, y_min, x_max, y_max = struct.unpack("<4i", attributes["dataWindow"])
     except (struct.error, ValueError, KeyError, IndexError) as error:
         raise ExrError(f"{path}: cannot be read: {error!r}") from error
+    return x_max - x_min + 1, y_max - y_min + 1
 
 
 def read_channels(path: Path) -> dict[str, array]:
@@ -93,22 +94,42 @@ def read_channels(path: Path) -> dict[str, array]:
 
 
 def _read_part(file: File, part: Part) -> dict[str, array]:
-    if part.attributes["compression"] != b"\0":
-        raise ValueError("compressed")
-    x_min, _, x_max, _ = struct.unpack("<4i", part.attributes["dataWindow"])
+    compression = part.attributes["compression"][0]
+    if compression not in (_NONE, *_DEFLATED):
+        raise ValueError(f"compression {compression}")
+    x_min, _, x_max, y_max = struct.unpack("<4i", part.attributes["dataWindow"])
     row = 4 * (x_max - x_min + 1)
     names = _channel_names(part.attributes["channels"])
     # The name of a part is that of the layer: ViewLayer.nacre_uv
     layer = part.attributes.get("name", b"").rstrip(b"\0").decode()
     found = {name: array("f") for name in names}
-    for _, position, size in sorted(file.chunks(part)):
-        if size != row * len(names):
+    for y, position, size in sorted(file.chunks(part)):
+        data = file.data[position : position + size]
+        expected = row * len(names) * min(_LINES[compression], y_max - y + 1)
+        if compression in _DEFLATED and size != expected:  # what would not get shorter is as it was
+            data = _inflated(data, expected)
+        if len(data) != expected:
             raise ValueError("chunk of another size")
-        for index, name in enumerate(names):
-            start = position + index * row
-            found[name].frombytes(file.data[start : start + row])
+        for start in range(0, len(data), row):
+            found[names[start // row % len(names)]].frombytes(data[start : start + row])
     full = {f"{layer}.{name}" if file.multi_part else name: v for name, v in found.items()}
     return {".".join(name.split(".")[-2:]): values for name, values in full.items()}
+
+
+def _inflated(data: bytes, most: int) -> bytes:
+    """The inverse of exr_write.compressed()."""
+    import numpy as np  # some distributions' Blender comes without it; files of renders do not need it
+
+    try:
+        deflated = zlib.decompressobj().decompress(data, most)
+    except zlib.error as error:
+        raise ValueError(str(error)) from error
+    values = np.cumsum(np.frombuffer(deflated, np.uint8), dtype=np.uint8)
+    values[1::2] -= np.uint8(128)
+    half = -(-len(values) // 2)
+    split = np.empty_like(values)
+    split[::2], split[1::2] = values[:half], values[half:]
+    return split.tobytes()
 
 
 def _channel_names(data: bytes) -> list[str]:

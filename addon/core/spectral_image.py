@@ -10,12 +10,13 @@ what the colour is summed with, so that it can be summed anew for another light 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+from .exr import LINES_OF_ZIP
 from .exr_write import ExrWriter
 from .space import Matrix, conversion_from_xyz
 
@@ -58,27 +59,33 @@ def channel(nm: float) -> str:
 
 def write(
     path: Path,
-    size: tuple[int, int],
     bands: BandTable,
     space: Matrix,
-    rows: Iterable[tuple[np.ndarray, np.ndarray | None]],
+    radiance: np.ndarray,
+    *,
+    rgb: np.ndarray | None = None,
+    alpha: np.ndarray | None = None,
 ) -> None:
-    """A picture of `size` (width, height).
+    """A picture of `radiance`, float32 (height, width, N), per nm in each band, row 0 on top.
 
-    rows: from the top, float32 (some rows, width, N), radiance per nm in each band; and what the
-    colour is to be instead of its sum, (some rows, width, 3), as after denoising, or None.
-    space: of the colour, the matrix to XYZ with white D65. Raises OSError that names the path.
+    rgb: (height, width, 3), what the colour is to be instead of the sum over bands, as after
+    denoising; alpha: (height, width). space: of the colour, the matrix to XYZ with white D65.
+    Raises OSError that names the path.
     """
+    height, width = radiance.shape[:2]
     attributes = {
         "spectralLayoutVersion": "1.0",
         "emissiveUnits": "relative",
         "chromaticities": chromaticities(space),
         "nacre:bands": bands.text(),
     }
-    with ExrWriter(path, *size, ["R", "G", "B", *bands.channels], attributes) as writer:
-        for radiance, given in rows:
-            seen = colour(radiance, bands, space) if given is None else given
-            writer.append(np.concatenate([seen.astype(np.float32), radiance], axis=-1))
+    names = ["R", "G", "B", *([] if alpha is None else ["A"]), *bands.channels]
+    with ExrWriter(path, width, height, names, attributes) as writer:
+        for row in range(0, height, LINES_OF_ZIP):
+            lines = slice(row, row + LINES_OF_ZIP)
+            seen = colour(radiance[lines], bands, space) if rgb is None else rgb[lines]
+            parts = [seen, *([] if alpha is None else [alpha[lines, :, None]]), radiance[lines]]
+            writer.append(np.concatenate(parts, axis=-1, dtype=np.float32))
 
 
 def colour(radiance: np.ndarray, bands: BandTable, space: Matrix) -> np.ndarray:

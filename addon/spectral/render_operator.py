@@ -67,10 +67,10 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         output.check([path])
         scene = context.scene
         made = plan.make(groups.found_spectra(), -(-self.bands // 3) or None)
-        samples = scene.cycles.samples
-        passes = rendering.beside(path, scene, made, samples)
+        samples, denoise = scene.cycles.samples, scene.cycles.use_denoising
+        passes = rendering.beside(path, scene, made, samples, denoise=denoise)
         passes.begin(resume=True)
-        job = _Job(scene, passes, samples, path)
+        job = _Job(scene, passes, samples, path, denoise)
         if bpy.app.background:
             with job:
                 while job.begin_next():
@@ -139,8 +139,10 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
 class _Job:
     """The passes of one picture, of which one is being rendered; the scene is as it was at the end."""
 
-    def __init__(self, scene: bpy.types.Scene, passes, samples: int, path: Path) -> None:
-        self.scene, self.passes, self.path = scene, passes, path
+    def __init__(
+        self, scene: bpy.types.Scene, passes, samples: int, path: Path, denoise: bool
+    ) -> None:
+        self.scene, self.passes, self.path, self._denoise = scene, passes, path, denoise
         self.number: int | None = None
         self.outcome = ""  # of a render job: complete or cancel
         self._samples = samples
@@ -150,7 +152,9 @@ class _Job:
     def __enter__(self) -> _Job:
         from . import rendering
 
-        self._stack.enter_context(rendering.prepared(self.scene, self.passes.plan, self._samples))
+        self._stack.enter_context(
+            rendering.prepared(self.scene, self.passes.plan, self._samples, denoise=self._denoise)
+        )
         for name, handler in (("render_complete", self._complete), ("render_cancel", self._cancel)):
             handlers = getattr(bpy.app.handlers, name)
             handlers.append(handler)
@@ -171,14 +175,15 @@ class _Job:
         return self.number is not None
 
     def keep(self) -> None:
-        output.Writer(self.scene, compressed=False).save(self.passes.files[self.number])
+        self.passes.save(self.scene, self.number)
 
     def write(self) -> None:
         from . import rendering
 
-        radiance = rendering.radiance_of(self.passes)
-        rendering.write(radiance, self.passes.plan, self.path)
-        rendering.as_image(radiance, self.passes.plan, RESULT)
+        found = rendering.rendered(self.passes)
+        rgb = rendering.colour_of(found, self.scene, self._samples)
+        rendering.write(found, rgb, self.scene, self.path)
+        rendering.as_image(rgb, found.alpha, RESULT)
         self.passes.end()
 
     def _complete(self, *_arguments: object) -> None:

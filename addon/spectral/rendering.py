@@ -14,11 +14,13 @@ import bpy
 import numpy as np
 
 from ..blender import output
+from ..blender.denoise import denoised
 from ..blender.space import of_file
 from ..core import exr, spectral_image
 from ..core.whole_file import write_whole
 from . import attributes
-from .plan import Plan
+from .described import DAYLIGHT
+from .plan import Plan, in_bands
 
 
 def samples_for(samples: int, passes: int) -> int:
@@ -26,21 +28,33 @@ def samples_for(samples: int, passes: int) -> int:
     return max(1, -(-samples // passes))
 
 
+def layer_of(scene: bpy.types.Scene) -> bpy.types.ViewLayer:
+    """The one that is rendered."""
+    return next((layer for layer in scene.view_layers if layer.use), scene.view_layers[0])
+
+
 @contextlib.contextmanager
-def prepared(scene: bpy.types.Scene, plan: Plan, samples: int) -> Iterator[None]:
+def prepared(
+    scene: bpy.types.Scene, plan: Plan, samples: int, *, denoise: bool = False
+) -> Iterator[None]:
     """The scene renders a pass of `plan` whenever `begin_pass` was called; all is as it was at the end.
 
     Every pixel of Cycles gets consecutive parts of one sequence of samples, the same for all passes:
     what they have in common, light and shade, is as smooth as if it were one render, and what is left
-    is hardly coloured.
+    is hardly coloured. The compositor would see three wavelengths as colours, and is left out.
     """
-    render, cycles = scene.render, scene.cycles
+    render, cycles, layer = scene.render, scene.cycles, layer_of(scene)
     each = samples_for(samples, plan.passes)
     wanted = [
         (render, "use_persistent_data", True),
+        (render, "use_compositing", False),
+        (render, "use_sequencer", False),
+        (layer.cycles, "denoising_store_passes", denoise),
+        *((other, "use", other == layer) for other in scene.view_layers),
         (cycles, "use_adaptive_sampling", False),
         (cycles, "use_denoising", False),
         (cycles, "use_animated_seed", False),
+        (cycles, "time_limit", 0.0),
         (cycles, "samples", each * plan.passes),
         (cycles, "use_sample_subset", True),
         (cycles, "sample_subset_length", each),
@@ -91,6 +105,10 @@ class Passes:
             left.unlink()
         write_whole(self._note, self.told)
 
+    def save(self, scene: bpy.types.Scene, number: int) -> None:
+        """What was just rendered."""
+        output.Writer(scene, layers=True, compressed=False).save(self.files[number])
+
     def missing(self) -> list[int]:
         return [number for number, file in enumerate(self.files) if not file.is_file()]
 
@@ -100,7 +118,9 @@ class Passes:
         self.folder.rmdir()
 
 
-def beside(path: Path, scene: bpy.types.Scene, plan: Plan, samples: int) -> Passes:
+def beside(
+    path: Path, scene: bpy.types.Scene, plan: Plan, samples: int, *, denoise: bool = False
+) -> Passes:
     """In a folder beside the picture."""
     render = scene.render
     told = {
@@ -109,6 +129,7 @@ def beside(path: Path, scene: bpy.types.Scene, plan: Plan, samples: int) -> Pass
             name: [float(value) for value in of_all] for name, of_all in plan.values.items()
         },
         "samples": samples,
+        "denoise": denoise,
         "seed": scene.cycles.seed,
         "size": [render.resolution_x, render.resolution_y, render.resolution_percentage],
         "frame": scene.frame_current,
@@ -117,17 +138,52 @@ def beside(path: Path, scene: bpy.types.Scene, plan: Plan, samples: int) -> Pass
     return Passes(path.with_name(f"{path.name}.passes"), plan, json.dumps(told, sort_keys=True))
 
 
-def radiance_of(passes: Passes) -> np.ndarray:
-    """float32 (height, width, N) per nm, from all files. Raises ExrError."""
-    plan, radiance = passes.plan, None
-    for number, file in enumerate(passes.files):
-        width, channels = exr.read_picture(file, "RGB")
-        if radiance is None:
-            radiance = np.empty((len(channels[0]) // width, width, len(plan.bands)), np.float32)
-        for k, values in zip(plan.indices(number), channels, strict=True):
-            radiance[..., k] = np.frombuffer(values, np.float32).reshape(radiance.shape[:2])
-    assert radiance is not None
-    return radiance
+@dataclass(frozen=True)
+class Rendered:
+    """All passes together, row 0 on top. radiance: float32 (height, width, N) per nm; alpha: (height,
+    width); albedo and normal, (height, width, 3): what denoising goes by, where that was wanted."""
+
+    plan: Plan
+    radiance: np.ndarray
+    alpha: np.ndarray
+    albedo: np.ndarray | None
+    normal: np.ndarray | None
+
+    @property
+    def rgb(self) -> np.ndarray:
+        """To the eye, in the file's space."""
+        return spectral_image.colour(self.radiance, table_of(self.plan), of_file())
+
+
+def rendered(passes: Passes) -> Rendered:
+    """From all files. Raises ExrError."""
+    plan, files = passes.plan, passes.files
+    width, height = exr.size_of(files[0])
+    radiance = np.empty((height, width, len(plan.bands)), np.float32)
+    albedos = np.empty_like(radiance)
+    alpha = np.zeros((height, width), np.float32)
+    normal = np.zeros((height, width, 3), np.float32)
+    guided = True
+    for number, file in enumerate(files):
+        channels = exr.read_channels(file)
+
+        def of(*names: str, channels: dict = channels) -> np.ndarray:
+            values = [np.frombuffer(channels[name], np.float32) for name in names]
+            return np.stack(values, axis=-1).reshape(height, width, len(names))
+
+        indices = list(plan.indices(number))
+        radiance[..., indices] = of("Combined.R", "Combined.G", "Combined.B")
+        alpha += of("Combined.A")[..., 0] / len(files)
+        guided = guided and "Denoising Albedo.R" in channels
+        if guided:
+            albedo = (f"Denoising Albedo.{channel}" for channel in "RGB")
+            albedos[..., indices] = of(*albedo)
+            normal += of(*(f"Denoising Normal.{axis}" for axis in "XYZ")) / len(files)
+    if not guided:
+        return Rendered(plan, radiance, alpha, None, None)
+    daylight = in_bands(plan.bands, DAYLIGHT).astype(np.float32)
+    under_daylight = spectral_image.colour(albedos * daylight, table_of(plan), of_file())
+    return Rendered(plan, radiance, alpha, under_daylight, normal)
 
 
 def table_of(plan: Plan) -> spectral_image.BandTable:
@@ -137,32 +193,43 @@ def table_of(plan: Plan) -> spectral_image.BandTable:
     )
 
 
-def write(radiance: np.ndarray, plan: Plan, path: Path) -> None:
+def colour_of(found: Rendered, scene: bpy.types.Scene, samples: int) -> np.ndarray:
+    """To the eye, without noise where denoising was wanted. The bands together, not each: what is left
+    of the noise is hardly coloured."""
+    if found.albedo is None or found.normal is None:
+        return found.rgb
+    return denoised(
+        scene, layer_of(scene), samples, found.rgb, found.alpha, found.albedo, found.normal
+    )
+
+
+def write(found: Rendered, rgb: np.ndarray, scene: bpy.types.Scene, path: Path) -> None:
     """The spectral picture. Raises OSError that names the path."""
-    height, width = radiance.shape[:2]
-    lines = exr.LINES_OF_ZIP
-    rows = ((radiance[row : row + lines], None) for row in range(0, height, lines))
-    spectral_image.write(path, (width, height), table_of(plan), of_file(), rows)
+    alpha = found.alpha if scene.render.film_transparent else None
+    table = table_of(found.plan)
+    spectral_image.write(path, table, of_file(), found.radiance, rgb=rgb, alpha=alpha)
 
 
-def as_image(radiance: np.ndarray, plan: Plan, name: str) -> bpy.types.Image:
+def as_image(rgb: np.ndarray, alpha: np.ndarray, name: str) -> bpy.types.Image:
     """A picture of the file in its linear space; one of that name is filled anew."""
-    height, width = radiance.shape[:2]
-    pixels = np.ones((height, width, 4), np.float32)
-    pixels[..., :3] = spectral_image.colour(radiance, table_of(plan), of_file())
+    height, width = rgb.shape[:2]
+    pixels = np.concatenate([rgb, alpha[..., None]], axis=-1, dtype=np.float32)
     image = bpy.data.images.get(name)
     if image is None or tuple(image.size) != (width, height):
         if image is not None:
             bpy.data.images.remove(image)
-        image = bpy.data.images.new(name, width, height, float_buffer=True, is_data=False)
-    image.pixels.foreach_set(pixels[::-1].ravel())
+        image = bpy.data.images.new(
+            name, width, height, alpha=True, float_buffer=True, is_data=False
+        )
+        image.alpha_mode = "PREMUL"
+    image.pixels.foreach_set(np.ascontiguousarray(pixels[::-1]).ravel())
     image.update()
     return image
 
 
-def show(radiance: np.ndarray, plan: Plan, scene: bpy.types.Scene, path: Path) -> None:
+def show(found: Rendered, rgb: np.ndarray, scene: bpy.types.Scene, path: Path) -> None:
     """As the scene's view transform shows it, a PNG."""
-    image = as_image(radiance, plan, f"{path.name} of bands")
+    image = as_image(rgb, found.alpha, f"{path.name} of bands")
     try:
         output.save_view(image, scene, path)
     finally:

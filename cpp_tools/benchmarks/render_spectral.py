@@ -102,8 +102,11 @@ def box(size: tuple[int, int]) -> bpy.types.Scene:
 
 
 def read(file: Path) -> np.ndarray:
-    width, channels = extension("core.exr").read_picture(file, "RGB")
-    return np.stack([np.array(values).reshape(-1, width) for values in channels], axis=-1)
+    exr = extension("core.exr")
+    width, height = exr.size_of(file)
+    channels = exr.read_channels(file)
+    values = [np.frombuffer(channels[f"Combined.{c}"], np.float32) for c in "RGB"]
+    return np.stack(values, axis=-1).reshape(height, width, 3)
 
 
 def in_rgb(scene: bpy.types.Scene, samples: int, seed: int, folder: Path) -> tuple:
@@ -111,7 +114,9 @@ def in_rgb(scene: bpy.types.Scene, samples: int, seed: int, folder: Path) -> tup
     scene.render.use_persistent_data = True
     start = time.process_time()  # of all threads: other programs do not count
     bpy.ops.render.render()
-    extension("blender.output").Writer(scene, compressed=False).save(folder / "rgb.exr")
+    extension("blender.output").Writer(scene, layers=True, compressed=False).save(
+        folder / "rgb.exr"
+    )
     seconds = time.process_time() - start
     return read(folder / "rgb.exr"), seconds
 
@@ -123,18 +128,14 @@ def in_bands(scene: bpy.types.Scene, samples: int, seed: int, folder: Path) -> t
     scene.cycles.seed = seed
     passes = rendering.beside(folder / "bands.exr", scene, plan, samples)
     passes.begin(resume=False)
-    writer = extension("blender.output").Writer(scene, compressed=False)
     with rendering.prepared(scene, plan, samples):
-        rendering.begin_pass(scene, plan, 0)
         start = time.process_time()
         for number in passes.missing():
             rendering.begin_pass(scene, plan, number)
             bpy.ops.render.render()
-            writer.save(passes.files[number])
+            passes.save(scene, number)
         seconds = time.process_time() - start
-    image = extension("core.spectral_image")
-    space = extension("blender.space").of_file()
-    rgb = image.colour(rendering.radiance_of(passes), rendering.table_of(plan), space)
+    rgb = rendering.rendered(passes).rgb
     passes.end()
     return rgb, seconds
 

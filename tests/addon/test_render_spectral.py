@@ -120,7 +120,6 @@ def test_passes_of_another_picture_are_not_taken_for_it(blender45, tmp_path):
         (("--spectral", "--light", "World=candle"), "--light: illuminant: must be one of E, A"),
         (("--spectral", "--light", "World=colorchecker/red"), "is a reflectance, not a light"),
         (("--spectral", "--form", "osl"), "--form osl does not go with it"),
-        (("--spectral", "--denoise"), "--denoise does not go with --spectral"),
         (("--spectral", "--aov", "thickness"), "--aov does not go with --spectral"),
     ],
 )

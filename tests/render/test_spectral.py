@@ -161,6 +161,46 @@ def test_under_its_own_lights_a_spectral_scene_is_near_the_rgb_one(box):
     assert delta_of(pictures["bands"], pictures["before"]) < 1.0
 
 
+@pytest.fixture(scope="module")
+def settings(blender):
+    said = blender.call(
+        "spectral.settings", folder=str(blender.folder), size=64, samples=8, passes=8
+    )
+    pictures = {}
+    for name in ("plain", "clean", "truth", "awkward"):
+        file = oiio.ImageBuf(str(blender.folder / f"{name}.exr"))
+        channels = file.spec().channelnames
+        pixels = file.get_pixels(oiio.FLOAT)
+        pictures[name] = {channel: pixels[..., i] for i, channel in enumerate(channels)}
+    return said, pictures
+
+
+def test_denoising_takes_most_of_the_noise(settings):
+    """Of RGB; the bands stay as they were rendered."""
+    _, pictures = settings
+    truth, plain, clean = (
+        np.stack([pictures[name][c] for c in "RGB"], axis=-1)
+        for name in ("truth", "plain", "clean")
+    )
+    noise, left = (np.sqrt(np.mean((found - truth) ** 2)) for found in (plain, clean))
+    assert left < 0.6 * noise
+    np.testing.assert_allclose(clean.mean((0, 1)), truth.mean((0, 1)), rtol=0.01)
+    for name, values in pictures["plain"].items():
+        if name.startswith("S0."):
+            np.testing.assert_array_equal(pictures["clean"][name], values)
+
+
+def test_settings_that_get_in_the_way_are_left_out_and_put_back(settings):
+    said, pictures = settings
+    assert not said["changed"]
+    plain, awkward = pictures["plain"], pictures["awkward"]
+    assert set(awkward) - set(plain) == {"A"}
+    inside = awkward["A"] == 1.0
+    assert 0.3 < inside.mean() < 1.0
+    for name in plain:
+        np.testing.assert_array_equal(awkward[name][inside], plain[name][inside])
+
+
 def delta_of(found, expected):
     """Mean CIEDE2000 of parts of 4 x 4 pixels, noise being what it is."""
 

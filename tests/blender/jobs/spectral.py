@@ -101,20 +101,22 @@ def lit_chart(
     return {**said, "removed": removed}
 
 
-def rendered(scene: bpy.types.Scene, file: str, samples: int, passes: int) -> dict:
+def rendered(
+    scene: bpy.types.Scene, file: str, samples: int, passes: int, *, denoise: bool = False
+) -> dict:
     plan = extension.module("spectral.plan")
     groups = extension.module("spectral.groups")
     made = plan.make(groups.found_spectra(), passes or None)
     rendering = extension.module("spectral.rendering")
-    kept = rendering.beside(Path(file), scene, made, samples)
+    kept = rendering.beside(Path(file), scene, made, samples, denoise=denoise)
     kept.begin(resume=False)
-    writer = extension.module("blender.output").Writer(scene, compressed=False)
-    with rendering.prepared(scene, made, samples):
+    with rendering.prepared(scene, made, samples, denoise=denoise):
         for number in kept.missing():
             rendering.begin_pass(scene, made, number)
             bpy.ops.render.render(scene=scene.name)
-            writer.save(kept.files[number])
-    rendering.write(rendering.radiance_of(kept), made, Path(file))
+            kept.save(scene, number)
+    found = rendering.rendered(kept)
+    rendering.write(found, rendering.colour_of(found, scene, samples), scene, Path(file))
     kept.end()
     return {"passes": made.passes, "left": [key for key in scene.keys() if "nacre" in key]}  # noqa: SIM118
 
@@ -225,3 +227,38 @@ def film(*, material: str, folder: str, size: int, samples: int, passes: int) ->
     report = convert.make_spectral()
     said = rendered(stage.scene, bands, samples, passes)
     return {**said, "remarks": [[remark.where, remark.text] for remark in report.remarks]}
+
+
+def settings(*, folder: str, size: int, samples: int, passes: int) -> dict:
+    """A box in bands (plain.exr), denoised (clean.exr), with many samples (truth.exr), and with all that
+    gets in the way of passes (awkward.exr); which of the settings were not put back."""
+    convert = extension.module("spectral.convert")
+    scene = _box()
+    scene.render.resolution_x = scene.render.resolution_y = size
+    scene.cycles.use_adaptive_sampling = False
+    convert.make_spectral()
+    place = {n: str(Path(folder) / f"{n}.exr") for n in ("plain", "clean", "truth", "awkward")}
+    rendered(scene, place["plain"], samples, passes)
+    rendered(scene, place["clean"], samples, passes, denoise=True)
+    rendered(scene, place["truth"], 64 * samples, passes)
+    other = scene.view_layers.new("Other")
+    cycles, render = scene.cycles, scene.render
+    wanted = [
+        (cycles, "use_adaptive_sampling", True),
+        (cycles, "use_denoising", True),
+        (cycles, "use_animated_seed", True),
+        (cycles, "time_limit", 0.001),
+        (cycles, "samples", 5),
+        (render, "use_compositing", True),
+        (render, "use_sequencer", True),
+        (render, "use_persistent_data", False),
+        (render, "film_transparent", True),
+        (other, "use", True),
+    ]
+    for owner, name, value in wanted:
+        setattr(owner, name, value)
+    rendered(scene, place["awkward"], samples, passes)
+    return {
+        "changed": [name for owner, name, value in wanted if getattr(owner, name) != value and
+                    abs(getattr(owner, name) - value) > 1e-6],
+    }  # fmt: skip
