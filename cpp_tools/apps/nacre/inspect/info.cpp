@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <charconv>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -83,6 +85,29 @@ std::string channels_text(const std::vector<std::string>& channels)
     return fmt::format("{} channels {} … {}", channels.size(), channels.front(), channels.back());
 }
 
+bool is_numbers(const ordered_json& value)
+{
+    return value.is_array() && !value.empty() &&
+           std::ranges::all_of(value, [](const ordered_json& item) { return item.is_number(); });
+}
+
+/// What the colours of a spectral picture are summed from; nothing where it is not as written here.
+std::optional<std::string> bands_text(const ordered_json& bands)
+{
+    if (!bands.is_object() || !bands.contains("wavelength_nm") || !bands.contains("is_line"))
+        return std::nullopt;
+    const ordered_json &nm = bands["wavelength_nm"], &is_line = bands["is_line"];
+    if (!is_numbers(nm) || !is_line.is_array() || is_line.size() != nm.size()) return std::nullopt;
+    std::vector<std::string> lines;
+    for (std::size_t k = 0; k < nm.size(); ++k)
+        if (is_line[k] == true) lines.push_back(fmt::format("{:.4g}", nm[k].get<double>()));
+    std::string text = fmt::format("spectral picture: {} bands, {:.4g} … {:.4g} nm, seen by {}",
+                                   nm.size(), nm.front().get<double>(), nm.back().get<double>(),
+                                   member_text(bands, "observer"));
+    if (!lines.empty()) text += fmt::format(", lines at {} nm", fmt::join(lines, ", "));
+    return text + "\n";
+}
+
 std::string text_of(const ordered_json& description)
 {
     std::string text = fmt::format(
@@ -90,11 +115,15 @@ std::string text_of(const ordered_json& description)
         description["height"].get<int>(), readable(description["depth"]),
         channels_text(description["channels"].get<std::vector<std::string>>()),
         readable(description["format"]));
-    if (!description.contains("schema"))
+    const auto bands = description.find("bands");
+    const auto spectral = bands == description.end() ? std::nullopt : bands_text(*bands);
+    if (spectral)
+        text += *spectral;
+    else if (!description.contains("schema"))
         text += "not a table of nacre: no attribute nacre:schema\n";
     for (const auto& [name, value] : description.items()) {
         if (name == "file" || name == "format" || name == "width" || name == "height" ||
-            name == "channels" || name == "depth")
+            name == "channels" || name == "depth" || (name == "bands" && spectral))
             continue;
         if (name == "axes" && value.is_array()) {
             for (const ordered_json& axis : value)
