@@ -201,6 +201,26 @@ def test_settings_that_get_in_the_way_are_left_out_and_put_back(settings):
         np.testing.assert_array_equal(awkward[name][inside], plain[name][inside])
 
 
+def test_two_hundred_materials_and_back(blender):
+    """Whatever shaders and sources of colours chance has put together."""
+    said = blender.call("spectral.many", folder=str(blender.folder), count=200, samples=16)
+    before, again, after = (
+        read_image(blender.folder / f"{name}.exr") for name in ("before", "again", "after")
+    )
+    np.testing.assert_array_equal(after, before)
+    assert said["spectra"] == said["removed"] > 300
+    assert said["remarks"]
+    assert all("its link is muted" in text for text in said["remarks"])
+    file = oiio.ImageBuf(str(blender.folder / "bands.exr"))
+    names = file.spec().channelnames
+    pixels = file.get_pixels(oiio.FLOAT)
+    assert np.isfinite(pixels).all()
+    bands = pixels[..., [names.index(name) for name in "RGB"]]
+    # Where light goes through several colours, spectra and RGB differ by nature.
+    np.testing.assert_allclose(bands.mean((0, 1)), before.mean((0, 1)), rtol=0.03)
+    assert delta_of(bands, before) < 1.0 + delta_of(again, before)
+
+
 def delta_of(found, expected):
     """Mean CIEDE2000 of parts of 4 x 4 pixels, noise being what it is."""
 

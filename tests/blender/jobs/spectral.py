@@ -4,7 +4,9 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
+from random import Random
 
 import bpy
 
@@ -262,3 +264,108 @@ def settings(*, folder: str, size: int, samples: int, passes: int) -> dict:
         "changed": [name for owner, name, value in wanted if getattr(owner, name) != value and
                     abs(getattr(owner, name) - value) > 1e-6],
     }  # fmt: skip
+
+
+SURFACES = (
+    "Principled", "Diffuse", "Anisotropic", "Metallic", "Glass", "Refraction", "Transparent",
+    "Translucent", "Sheen", "Toon", "Hair", "HairPrincipled",
+)  # fmt: skip
+VOLUMES = ("ShaderNodeVolumeAbsorption", "ShaderNodeVolumeScatter", "ShaderNodeVolumePrincipled")
+SOURCES = (
+    "", "", "ShaderNodeRGB", "ShaderNodeBlackbody", "ShaderNodeTexNoise", "ShaderNodeTexVoronoi",
+    "ShaderNodeHueSaturation", "ShaderNodeGamma", "ShaderNodeWavelength", "ShaderNodeTexImage",
+    "ShaderNodeVertexColor", "ShaderNodeTexSky", "ShaderNodeTexEnvironment",
+)  # fmt: skip
+
+
+def _random_material(number: int, random: Random, picture: bpy.types.Image) -> bpy.types.Material:
+    """A shader of some kind, or two mixed, with colours that are set, computed or read."""
+    material = bpy.data.materials.new(f"Random {number}")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    out = tree.nodes.new("ShaderNodeOutputMaterial")
+
+    def shader(kind: str) -> bpy.types.NodeSocket:
+        node = tree.nodes.new(kind)
+        for socket in node.inputs:
+            if socket.type != "RGBA":
+                continue
+            socket.default_value = (random.random(), random.random(), random.random(), 1.0)
+            source = random.choice(SOURCES)
+            if not source:
+                continue
+            feed = tree.nodes.new(source)
+            if hasattr(feed, "image"):
+                feed.image = picture
+            tree.links.new(feed.outputs["Color"], socket)
+            if random.random() < 0.1:
+                socket.links[0].is_muted = True
+        return node.outputs[0]
+
+    kinds = [f"ShaderNodeBsdf{random.choice(SURFACES)}" for _ in range(2)]
+    surface = shader(kinds[0])
+    if random.random() < 0.3:
+        mix = tree.nodes.new("ShaderNodeMixShader")
+        tree.links.new(surface, mix.inputs[1])
+        tree.links.new(shader(kinds[1]), mix.inputs[2])
+        surface = mix.outputs[0]
+    if random.random() < 0.3:
+        group = bpy.data.node_groups.new(f"Group {number}", "ShaderNodeTree")
+        group.interface.new_socket("Tint", in_out="INPUT", socket_type="NodeSocketColor")
+        group.interface.new_socket("Shader", in_out="OUTPUT", socket_type="NodeSocketShader")
+        ends = [group.nodes.new(kind) for kind in ("NodeGroupInput", "NodeGroupOutput")]
+        inner = group.nodes.new("ShaderNodeBsdfTranslucent")
+        group.links.new(ends[0].outputs[0], inner.inputs["Color"])
+        group.links.new(inner.outputs[0], ends[1].inputs[0])
+        node = tree.nodes.new("ShaderNodeGroup")
+        node.node_tree = group
+        node.inputs[0].default_value = (random.random(), 0.5, random.random(), 1.0)
+        add = tree.nodes.new("ShaderNodeAddShader")
+        tree.links.new(surface, add.inputs[0])
+        tree.links.new(node.outputs[0], add.inputs[1])
+        surface = add.outputs[0]
+    tree.links.new(surface, out.inputs["Surface"])
+    if random.random() < 0.1:
+        tree.links.new(shader(random.choice(VOLUMES)), out.inputs["Volume"])
+    return material
+
+
+def many(*, folder: str, count: int, samples: int) -> dict:
+    """Tiles of as many materials as chance makes, under a sun and a sky: as they were (before.exr) and
+    with another seed (again.exr), in bands (bands.exr), and with everything undone (after.exr)."""
+    convert = extension.module("spectral.convert")
+    scene = empty_scene()
+    random = Random(7)
+    picture = bpy.data.images.new("picture", 4, 4, float_buffer=True)
+    picture.pixels.foreach_set([random.random() for _ in range(64)])
+    picture.pack()
+    columns = math.ceil(math.sqrt(count))
+    for number in range(count):
+        material = _random_material(number, random, picture)
+        _patch(scene, number % columns, number // columns, material)
+    sun = bpy.data.lights.new("sun", "SUN")
+    sun.angle, sun.energy, sun.color = 0.5, 2.0, (1.0, 0.9, 0.7)
+    scene.collection.objects.link(bpy.data.objects.new("sun", sun))
+    scene.world = bpy.data.worlds.new("world")
+    scene.world.use_nodes = True
+    background = next(n for n in scene.world.node_tree.nodes if n.type == "BACKGROUND")
+    background.inputs["Color"].default_value = (0.3, 0.4, 0.6, 1.0)
+    _seen_from_above(scene, columns, columns, 4)
+    names = ("before", "again", "bands", "after")
+    places = {name: str(Path(folder) / f"{name}.exr") for name in names}
+    width, height = scene.render.resolution_x, scene.render.resolution_y
+    render_picture(scene, width, height, samples, places["before"])
+    scene.cycles.seed = 1
+    render_picture(scene, width, height, samples, places["again"])
+    scene.cycles.seed = 0
+    report = convert.make_spectral()
+    said = rendered(scene, places["bands"], samples, 8)
+    removed = convert.make_rgb()
+    render_picture(scene, width, height, samples, places["after"])
+    return {
+        **said,
+        "spectra": report.spectra,
+        "removed": removed,
+        "remarks": [remark.text for remark in report.remarks],
+    }
