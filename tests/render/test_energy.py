@@ -6,12 +6,14 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from support.paths import TEMPLATES, manifest
 from support.representatives import FORMS, films, representatives, ways
+from support.shared import made_once
 from support.tool import nacre
 from support.truth import pixel_cosines
 
@@ -132,10 +134,13 @@ BALL_SIZE, BALL_SAMPLES = 12, 1024
 @pytest.fixture(scope="module")
 def balls(blender, tmp_path_factory):
     """Mean luminance of a ball of glass in the furnace."""
-    folder = tmp_path_factory.mktemp("crystal")
-    (folder / "crystal.toml").write_text(CRYSTAL, "utf-8")
-    files = folder / "crystal.toml", TEMPLATES / "n_bk7.toml"
-    nacre("compile", *files, "-o", folder, "--quiet")
+
+    def make(folder: Path) -> None:
+        (folder / "crystal.toml").write_text(CRYSTAL, "utf-8")
+        files = folder / "crystal.toml", TEMPLATES / "n_bk7.toml"
+        nacre("compile", *files, "-o", folder, "--quiet")
+
+    folder = made_once(tmp_path_factory, "crystal", make)
 
     def job(material: str | None, form: str, roughness: float) -> dict:
         return {

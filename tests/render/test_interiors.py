@@ -5,12 +5,14 @@
 from __future__ import annotations
 
 import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from support.colours import delta_e
 from support.representatives import FORMS
+from support.shared import made_once
 from support.tool import nacre
 from support.truth import colour, pixel_cosines, spectra
 
@@ -43,12 +45,14 @@ CASES = [(name, form) for name in SURFACES for form in FORMS]
 
 @pytest.fixture(scope="module")
 def pictures(blender, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("interiors")
-    files = []
-    for name, surface in SURFACES.items():
-        files.append(folder / f"{name}.toml")
-        files[-1].write_text(TEMPLATE.format(name=name, surface=surface), "utf-8")
-    nacre("compile", *files, "-o", folder, "--quiet")
+    def make(folder: Path) -> None:
+        files = []
+        for name, surface in SURFACES.items():
+            files.append(folder / f"{name}.toml")
+            files[-1].write_text(TEMPLATE.format(name=name, surface=surface), "utf-8")
+        nacre("compile", *files, "-o", folder, "--quiet")
+
+    folder = made_once(tmp_path_factory, "interiors", make)
 
     def job(name: str, form: str) -> dict:
         return {
@@ -93,9 +97,11 @@ INSIDE_DEG = (0.0, 25.0, 40.0, 46.0, 52.0, 70.0)
 
 @pytest.fixture(scope="module")
 def from_inside(blender, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("inside")
-    (folder / "fish.toml").write_text(FISH, "utf-8")
-    nacre("compile", folder / "fish.toml", "-o", folder, "--quiet")
+    def make(folder: Path) -> None:
+        (folder / "fish.toml").write_text(FISH, "utf-8")
+        nacre("compile", folder / "fish.toml", "-o", folder, "--quiet")
+
+    folder = made_once(tmp_path_factory, "inside", make)
 
     def job(form: str, deg: float) -> dict:
         return {

@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import os
+
 import colour
 import numpy as np
 import OpenImageIO as oiio
@@ -19,6 +21,8 @@ LIGHTS = ["D65", "A", "F2", "F11", "LED-B3", "lamp/hps", "line:462@1,532@0.8,638
 CHART = [key for key in library.keys("spectra") if key.startswith("colorchecker/")]
 SIZE = 4
 """Pixels of a patch."""
+COUNT = 200 if os.environ.get("NACRE_SOAK") else 40
+"""Of materials that chance makes."""
 
 
 def observer_at(nm):
@@ -201,14 +205,14 @@ def test_settings_that_get_in_the_way_are_left_out_and_put_back(settings):
         np.testing.assert_array_equal(awkward[name][inside], plain[name][inside])
 
 
-def test_two_hundred_materials_and_back(blender):
+def test_many_materials_and_back(blender):
     """Whatever shaders and sources of colours chance has put together."""
-    said = blender.call("spectral.many", folder=str(blender.folder), count=200, samples=16)
+    said = blender.call("spectral.many", folder=str(blender.folder), count=COUNT, samples=16)
     before, again, after = (
         read_image(blender.folder / f"{name}.exr") for name in ("before", "again", "after")
     )
     np.testing.assert_array_equal(after, before)
-    assert said["spectra"] == said["removed"] > 300
+    assert said["spectra"] == said["removed"] > 1.5 * COUNT
     assert said["remarks"]
     assert all("its link is muted" in text for text in said["remarks"])
     file = oiio.ImageBuf(str(blender.folder / "bands.exr"))

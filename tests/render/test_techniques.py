@@ -15,6 +15,7 @@ import pytest
 from nacre import film_reflectance, spectrum_to_colour
 from support.colours import delta_e
 from support.representatives import FORMS
+from support.shared import made_once
 from support.templates import write_toml
 from support.tool import nacre
 from support.truth import WAVELENGTHS, exact_colours, index, pixel_cosines
@@ -90,14 +91,15 @@ def exact(technique: str) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.fixture(scope="module")
 def compiled(tmp_path_factory) -> Path:
-    folder = tmp_path_factory.mktemp("techniques")
-    files = []
-    for technique in FILMS:
-        file = folder / f"{technique}.toml"
-        write_toml(file, template(technique))
-        files.append(file)
-    nacre("compile", *files, "-o", folder / "materials", "--quiet")
-    return folder / "materials"
+    def make(folder: Path) -> None:
+        files = []
+        for technique in FILMS:
+            file = folder / f"{technique}.toml"
+            write_toml(file, template(technique))
+            files.append(file)
+        nacre("compile", *files, "-o", folder / "materials", "--quiet")
+
+    return made_once(tmp_path_factory, "techniques", make) / "materials"
 
 
 @pytest.fixture(scope="module")

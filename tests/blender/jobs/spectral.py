@@ -274,7 +274,7 @@ VOLUMES = ("ShaderNodeVolumeAbsorption", "ShaderNodeVolumeScatter", "ShaderNodeV
 SOURCES = (
     "", "", "ShaderNodeRGB", "ShaderNodeBlackbody", "ShaderNodeTexNoise", "ShaderNodeTexVoronoi",
     "ShaderNodeHueSaturation", "ShaderNodeGamma", "ShaderNodeWavelength", "ShaderNodeTexImage",
-    "ShaderNodeVertexColor", "ShaderNodeTexSky", "ShaderNodeTexEnvironment",
+    "ShaderNodeVertexColor", "ShaderNodeTexEnvironment",
 )  # fmt: skip
 
 
