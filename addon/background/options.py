@@ -39,7 +39,7 @@ examples:
   nacre render --material soap_film --stage sphere --pixel 320 240 --json
   nacre render --material soap_film --stage sphere --aov thickness --aov cos_theta -o bubble.exr
   nacre render --gallery --size 256x256 --samples 64 -o gallery/
-  nacre render --blend shop.blend --spectral --light Ceiling=F11 --light World=D65 -o shop.exr -o shop.png
+  nacre render --blend shot.blend --spectral --light World=F11 -o office.exr -o office.png
   nacre render --blend shot.blend --assign Ring=tempered_steel --frames 1-24 -o shot_####.exr
 """
 

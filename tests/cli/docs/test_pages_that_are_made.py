@@ -12,7 +12,7 @@ import sys
 import pytest
 
 from support.osl import SHADER_MATERIALS
-from support.paths import ROOT, manifest
+from support.paths import PACKAGE, ROOT, manifest
 
 DOCS = ROOT / "cpp_tools" / "doc"
 WORDS = {"osl": "OSL", "nodes": "nodes"}
@@ -54,7 +54,7 @@ def test_tables_of_bands_are_what_bands_do(tmp_path):
             ROOT / "cpp_tools/generators/write_band_errors.py",
             tmp_path / "bands.md",
         ],
-        env={**os.environ, "PYTHONPATH": str(ROOT / "cpp_tools/python")},
+        env={**os.environ, "PYTHONPATH": str(PACKAGE)},
         check=True,
     )
     lines = zip(
