@@ -63,7 +63,8 @@ def frame_path(path: Path, frame: int) -> Path:
 
 
 class Writer:
-    """Saves the render result; `discard` removes what is half done and may run in any thread.
+    """Saves the render result, or another picture; `discard` removes what is half done and may run in
+    any thread.
 
     With layers, an .exr has all passes of the render. Not compressed, core.exr can read it.
     """
@@ -74,11 +75,12 @@ class Writer:
         self._formats = {**SUFFIXES, **({".exr": _LAYERS} if layers else {})}
         self._aside: Path | None = None
 
-    def save(self, path: Path) -> None:
+    def save(self, path: Path, image: bpy.types.Image | None = None) -> None:
         self._aside = aside(path)
+        source = bpy.data.images["Render Result"] if image is None else image
         try:
             with _image_settings(self._scene, self._formats[path.suffix.lower()], self._codec):
-                bpy.data.images["Render Result"].save_render(str(self._aside), scene=self._scene)
+                source.save_render(str(self._aside), scene=self._scene)
             if not is_whole(self._aside):
                 raise OutputError(f"{path}: could not be written to its end; is the disc full?")
             self._aside.replace(path)
@@ -96,30 +98,26 @@ class Writer:
                 left.unlink()
 
 
-def save_view(image: bpy.types.Image, scene: bpy.types.Scene, path: Path) -> None:
-    """A picture in the scene's linear space as a PNG, through the scene's view transform."""
-    unfinished = aside(path)
-    try:
-        with _image_settings(scene, "PNG", ""):
-            image.save_render(str(unfinished), scene=scene)
-        if not is_whole(unfinished):
-            raise OutputError(f"{path}: could not be written to its end; is the disc full?")
-        unfinished.replace(path)
-    except (RuntimeError, OSError) as error:
-        raise OutputError(f"{path}: could not be written: {error}") from error
-    finally:
-        unfinished.unlink(missing_ok=True)
-
-
 @contextlib.contextmanager
 def _image_settings(scene: bpy.types.Scene, file_format: str, codec: str) -> Iterator[None]:
+    """What the scene's own pictures are saved as is as it was at the end."""
     settings = scene.render.image_settings
-    if hasattr(settings, "media_type"):  # Blender 5: the format has to belong to the medium
-        settings.media_type = "MULTI_LAYER_IMAGE" if file_format == _LAYERS else "IMAGE"
-    settings.file_format = file_format
-    if file_format != _LAYERS:
-        settings.color_mode = "RGB"
-    settings.color_depth = "8" if file_format == "PNG" else "32"
-    if file_format != "PNG":
-        settings.exr_codec = codec
-    yield
+    is_png, is_layered = file_format == "PNG", file_format == _LAYERS
+    # Each is one of the choices that those before it leave.
+    wanted = {
+        # Blender 5: the format has to belong to the medium.
+        "media_type": "MULTI_LAYER_IMAGE" if is_layered else "IMAGE",
+        "file_format": file_format,
+        "color_mode": None if is_layered else "RGB",
+        "color_depth": "8" if is_png else "32",
+        "exr_codec": None if is_png else codec,
+    }
+    before = {name: getattr(settings, name) for name in wanted if hasattr(settings, name)}
+    try:
+        for name in before:
+            if wanted[name] is not None:
+                setattr(settings, name, wanted[name])
+        yield
+    finally:
+        for name, value in before.items():
+            setattr(settings, name, value)

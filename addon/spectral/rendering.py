@@ -231,6 +231,6 @@ def show(found: Rendered, rgb: np.ndarray, scene: bpy.types.Scene, path: Path) -
     """As the scene's view transform shows it, a PNG."""
     image = as_image(rgb, found.alpha, f"{path.name} of bands")
     try:
-        output.save_view(image, scene, path)
+        output.Writer(scene).save(path, image)
     finally:
         bpy.data.images.remove(image)

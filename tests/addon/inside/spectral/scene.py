@@ -128,11 +128,14 @@ assert marks.is_spectral()
 assert marks.lit_by(scene.objects["Sun"].data.node_tree) == "high-pressure sodium"
 
 picture = folder / "picture.exr"
+saved_as = scene.render.image_settings
+saved_as.file_format, saved_as.color_mode = "JPEG", "BW"
 settings = [scene.cycles.samples, scene.cycles.use_sample_subset, scene.render.use_persistent_data]
 assert bpy.ops.nacre.render_spectral(filepath=str(picture)) == {"FINISHED"}
 assert settings == [
     scene.cycles.samples, scene.cycles.use_sample_subset, scene.render.use_persistent_data,
 ]  # fmt: skip
+assert (saved_as.file_format, saved_as.color_mode) == ("JPEG", "BW")
 assert picture.read_bytes()[:4] == b"\x76\x2f\x31\x01"
 assert [path.name for path in folder.iterdir() if "passes" in path.name] == []
 shown = bpy.data.images[module("spectral.render_operator").RESULT]
