@@ -12,11 +12,9 @@ import bpy
 
 from ..spectral import convert, groups, plan, rendering
 from ..spectral.described import Described, SpectrumError
+from ..spectral.marks import WORLD
 from . import console
 from .options import UsageError
-
-WORLD = "World"
-"""What the command line calls the scene's world."""
 
 
 @dataclass
@@ -48,10 +46,7 @@ class Prepared:
         passes.begin(resume=options.resume)
         missing = passes.missing()
         self.taken_over += plan.passes - len(missing)
-        with (
-            console.stop_on_signals(lambda: None),
-            rendering.prepared(scene, plan, samples, denoise=options.denoise),
-        ):
+        with rendering.prepared(scene, plan, samples, denoise=options.denoise):
             for number in missing:
                 rendering.begin_pass(scene, plan, number)
                 label = f"{paths[0].name} {number + 1}/{plan.passes}"

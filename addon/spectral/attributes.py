@@ -14,8 +14,10 @@ PREFIX = "nacre_s_"
 """Of the name of each spectrum's property: its values in the three bands of a pass."""
 IS_SPECTRAL = "nacre_spectral"
 """1 while bands are rendered; without it colours are RGB."""
+CENTRE_NM, HALF_WIDTH_NM = 595.0, 235.0
+"""The variable of polynomials of upsampled colours is −1 at 360 nm and 1 at 830 nm."""
 WAVELENGTHS = "nacre_wavelengths"
-"""(λ/nm − 595) / 235 of the three bands, as the polynomials of upsampled colours take it."""
+"""That variable of the three bands."""
 
 BASIS = ("nacre_basis_red", "nacre_basis_green", "nacre_basis_blue")
 """Reflectances of the primaries of Rec.709 in the three bands."""
@@ -25,8 +27,7 @@ Values = Mapping[str, float | Sequence[float]]
 
 
 def polynomial_variable(nm: float) -> float:
-    """From −1 at 360 nm to 1 at 830 nm."""
-    return (nm - 595.0) / 235.0
+    return (nm - CENTRE_NM) / HALF_WIDTH_NM
 
 
 def put(owner: Owner, values: Values) -> None:

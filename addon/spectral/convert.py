@@ -15,7 +15,8 @@ import bpy
 
 from ..blender.space import of_file
 from ..core.space import REC709, conversion, converted
-from .described import EMISSION, Described, SpectrumError
+from .attributes import CENTRE_NM, HALF_WIDTH_NM
+from .described import EMISSION, REFLECTANCE, Described, SpectrumError
 from .groups import (
     LIGHT_OF_COLOUR,
     LIGHT_OF_MIXTURE,
@@ -24,9 +25,8 @@ from .groups import (
     spectrum_group,
     upsampling_group,
 )
-from .marks import BEFORE, LUMINANCE, MADE, SPECTRUM, UPSAMPLING, is_ours, trees
+from .marks import BEFORE, LUMINANCE, MADE, is_ours, trees
 
-REFLECTANCE, LIGHT = "reflectance", "light"
 LINKED = "is linked from another file; stays RGB"
 
 ROLES: dict[str, dict[str, str]] = {
@@ -35,7 +35,7 @@ ROLES: dict[str, dict[str, str]] = {
         "Specular Tint": REFLECTANCE,
         "Coat Tint": REFLECTANCE,
         "Sheen Tint": REFLECTANCE,
-        "Emission Color": LIGHT,
+        "Emission Color": EMISSION,
     },
     "BSDF_DIFFUSE": {"Color": REFLECTANCE},
     "BSDF_GLOSSY": {"Color": REFLECTANCE},
@@ -55,20 +55,22 @@ ROLES: dict[str, dict[str, str]] = {
     "EEVEE_SPECULAR": {
         "Base Color": REFLECTANCE,
         "Specular": REFLECTANCE,
-        "Emissive Color": LIGHT,
+        "Emissive Color": EMISSION,
     },
     "VOLUME_ABSORPTION": {"Color": REFLECTANCE},
     "VOLUME_SCATTER": {"Color": REFLECTANCE},
     "PRINCIPLED_VOLUME": {
         "Color": REFLECTANCE,
         "Absorption Color": REFLECTANCE,
-        "Emission Color": LIGHT,
+        "Emission Color": EMISSION,
     },
-    "EMISSION": {"Color": LIGHT},
-    "BACKGROUND": {"Color": LIGHT},
+    "EMISSION": {"Color": EMISSION},
+    "BACKGROUND": {"Color": EMISSION},
 }
 """Colours that light meets or is made of, by type of node and name of socket."""
 
+_OF_COLOUR = {REFLECTANCE: REFLECTANCE_OF_COLOUR, EMISSION: LIGHT_OF_COLOUR}
+_OF_MIXTURE = {REFLECTANCE: REFLECTANCE_OF_MIXTURE, EMISSION: LIGHT_OF_MIXTURE}
 _STRENGTH = {"Emission Color": "Emission Strength"}
 _GREY = 1e-6
 
@@ -196,7 +198,7 @@ def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
     if plain:
         socket = emissions[0].inputs["Color"]
         product = [a * b for a, b in zip(light.color, socket.default_value, strict=False)]
-        _put_in(light.node_tree, socket, LIGHT, (*product, 1.0))
+        _put_in(light.node_tree, socket, EMISSION, (*product, 1.0))
         light.color = (1.0, 1.0, 1.0)
         report.spectra += 1
     else:
@@ -229,11 +231,8 @@ def _is_needed(node: bpy.types.Node, socket: bpy.types.NodeSocket, role: str) ->
     """Not where there is a spectrum already, no light, or a grey, which is one everywhere."""
     if socket.is_linked:
         source = socket.links[0].from_node
-        return not (
-            source.type == "GROUP"
-            and source.node_tree is not None
-            and (SPECTRUM in source.node_tree or UPSAMPLING in source.node_tree)
-        )
+        group = source.node_tree if source.type == "GROUP" else None
+        return group is None or not is_ours(group)
     colour = socket.default_value[:3]
     if role == REFLECTANCE:
         return not _is_grey(colour)
@@ -252,8 +251,7 @@ def _put_in(
     """A group between the socket and what it had; `colour` in place of the socket's own."""
     node = _new_node(tree, socket)
     if socket.is_linked:
-        mixture = REFLECTANCE_OF_MIXTURE if role == REFLECTANCE else LIGHT_OF_MIXTURE
-        node.node_tree = upsampling_group(mixture)
+        node.node_tree = upsampling_group(_OF_MIXTURE[role])
         tree.links.new(socket.links[0].from_socket, node.inputs["Color"])
     else:
         given = tuple(socket.default_value) if colour is None else colour
@@ -282,21 +280,22 @@ def _fill(node: bpy.types.ShaderNodeGroup, role: str, colour: tuple) -> None:
     try:
         found = nacre.rgb_to_spectrum([channel / scale for channel in rgb]).coefficients
     except nacre.NacreError:
-        mixture = REFLECTANCE_OF_MIXTURE if role == REFLECTANCE else LIGHT_OF_MIXTURE
-        node.node_tree = upsampling_group(mixture)
+        node.node_tree = upsampling_group(_OF_MIXTURE[role])
         return
-    node.node_tree = upsampling_group(
-        REFLECTANCE_OF_COLOUR if role == REFLECTANCE else LIGHT_OF_COLOUR
-    )
+    node.node_tree = upsampling_group(_OF_COLOUR[role])
     node.inputs["Coefficients"].default_value = polynomial(found)
-    if role == LIGHT:
+    if role == EMISSION:
         node.inputs["Scale"].default_value = scale
 
 
 def polynomial(by_nanometre) -> tuple[float, float, float]:
-    """Of t = (λ/nm − 595) / 235, from one of λ/nm; both highest power first."""
+    """Of attributes.polynomial_variable(), from one of λ/nm; both highest power first."""
     a, b, c = (float(value) for value in by_nanometre)
-    return 235.0 * 235.0 * a, 235.0 * (2.0 * 595.0 * a + b), (595.0 * a + b) * 595.0 + c
+    return (
+        HALF_WIDTH_NM**2 * a,
+        HALF_WIDTH_NM * (2.0 * CENTRE_NM * a + b),
+        (CENTRE_NM * a + b) * CENTRE_NM + c,
+    )
 
 
 def _take_out(tree: bpy.types.NodeTree, node: bpy.types.Node) -> None:

@@ -17,6 +17,9 @@ UPSAMPLING = "nacre_upsampling"
 MADE = "nacre_made_spectral"
 """Custom property of nodes that were put in, and of lamps: what they were before."""
 
+WORLD = "World"
+"""What the scene's world is called among its lamps."""
+
 
 def is_spectral() -> bool:
     """Whether colours of the file have spectra. Panels ask this at each redraw."""

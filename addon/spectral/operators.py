@@ -10,8 +10,7 @@ from bpy.props import EnumProperty, StringProperty
 from ..core.computation import library_problem
 from ..materials.guard import must_be_local, reports_errors
 from . import marks
-
-WORLD = "World"
+from .marks import WORLD
 
 _remarks: list = []
 """What the last *Make Spectral* left as RGB."""

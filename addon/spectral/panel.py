@@ -37,11 +37,11 @@ class _Spectral(Documented):
 def _draw_lamps(layout, scene) -> None:
     lamps = [(item.name, item.data.node_tree) for item in scene.objects if item.type == "LIGHT"]
     if scene.world is not None:
-        lamps.append((operators.WORLD, scene.world.node_tree))
+        lamps.append((marks.WORLD, scene.world.node_tree))
     column = layout.column(align=True)
     for name, tree in lamps[:_MOST_LAMPS]:
         split = column.split(factor=0.45)
-        split.label(text=name, icon="WORLD" if name == operators.WORLD else "LIGHT")
+        split.label(text=name, icon="WORLD" if name == marks.WORLD else "LIGHT")
         row = split.row()
         row.operator_context = "INVOKE_DEFAULT"
         row.operator("nacre.give_light", text=marks.lit_by(tree) or "Its Colour").lamp = name

@@ -10,34 +10,19 @@ line of JSON: seconds by shading system and variant, and Blender's version.
 from __future__ import annotations
 
 import argparse
-import importlib
-import importlib.util
 import json
 import time
 from collections.abc import Callable
 from pathlib import Path
 
 import bpy
+from in_blender import extension, load_extension
 
-PACKAGE = "nacre_extension"
 ROUGHNESS = 0.2
 # Short renders, many times: the least of a long one is still as restless as the machine.
 FEW, MANY = 1, 33
 SYSTEMS = ("svm", "osl")
 FILMS = {"one": "anodised_titanium", "sixteen": "jewel_beetle"}
-
-
-def load_extension(folder: Path) -> None:
-    spec = importlib.util.spec_from_file_location(
-        "nacre_driver", folder / "background" / "driver.py"
-    )
-    driver = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(driver)
-    driver.load_package(PACKAGE)
-
-
-def extension(module: str):
-    return importlib.import_module(f"{PACKAGE}.{module}")
 
 
 def blender_film(node_type: str) -> bpy.types.Material | None:

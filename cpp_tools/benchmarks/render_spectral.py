@@ -10,8 +10,6 @@ over its mean, and of a* and b*. Prints one line of JSON.
 from __future__ import annotations
 
 import argparse
-import importlib
-import importlib.util
 import json
 import sys
 import tempfile
@@ -20,8 +18,8 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+from in_blender import extension, load_extension
 
-PACKAGE = "nacre_extension"
 ROOM = {
     "white": (0.73, 0.73, 0.73),
     "red": (0.6, 0.06, 0.05),
@@ -30,19 +28,6 @@ ROOM = {
     "blue": (0.05, 0.08, 0.4),
 }
 SAMPLES, MANY, PASSES = 96, 2048, 8
-
-
-def load_extension(folder: Path) -> None:
-    spec = importlib.util.spec_from_file_location(
-        "nacre_driver", folder / "background" / "driver.py"
-    )
-    driver = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(driver)
-    driver.load_package(PACKAGE)
-
-
-def extension(module: str):
-    return importlib.import_module(f"{PACKAGE}.{module}")
 
 
 def material(name: str) -> bpy.types.Material:

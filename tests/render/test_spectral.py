@@ -14,7 +14,7 @@ import pytest
 import nacre
 from nacre import library
 from support.colours import delta_e as support_delta_e
-from support.images import read_image
+from support.images import read_channels, read_image
 
 FINE = 360.05 + 0.1 * np.arange(4700)
 LIGHTS = ["D65", "A", "F2", "F11", "LED-B3", "lamp/hps", "line:462@1,532@0.8,638@1.2"]
@@ -132,9 +132,7 @@ def box(blender):
     pictures = {
         name: read_image(blender.folder / f"{name}.exr") for name in ("before", "rgb", "after")
     }
-    file = oiio.ImageBuf(str(blender.folder / "bands.exr"))
-    names = file.spec().channelnames
-    pictures["bands"] = file.get_pixels(oiio.FLOAT)[..., [names.index(name) for name in "RGB"]]
+    pictures["bands"], _ = read_channels(blender.folder / "bands.exr", "RGB")
     return said, pictures
 
 

@@ -14,9 +14,7 @@ import pytest
 
 from support.colours import delta_e
 from support.representatives import FORMS
-from support.shared import made_once
-from support.templates import write_toml
-from support.tool import nacre
+from support.shared import compiled_once
 from support.truth import exact_colours, pixel_cosines
 
 STACKS = tomllib.loads(Path(__file__).with_name("stacks.toml").read_text("utf-8"))
@@ -49,16 +47,7 @@ def template(name: str) -> dict:
 @pytest.fixture(scope="session")
 def compiled(tmp_path_factory) -> Path:
     """The stacks as compiled materials: two minutes of one core."""
-
-    def make(folder: Path) -> None:
-        files = []
-        for name in STACKS:
-            file = folder / f"{name}.toml"
-            write_toml(file, template(name))
-            files.append(file)
-        nacre("compile", *files, "-o", folder / "materials", "--quiet")
-
-    return made_once(tmp_path_factory, "stacks", make) / "materials"
+    return compiled_once(tmp_path_factory, "stacks", {name: template(name) for name in STACKS})
 
 
 @pytest.fixture(scope="module")

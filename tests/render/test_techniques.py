@@ -15,9 +15,7 @@ import pytest
 from nacre import film_reflectance, spectrum_to_colour
 from support.colours import delta_e
 from support.representatives import FORMS
-from support.shared import made_once
-from support.templates import write_toml
-from support.tool import nacre
+from support.shared import compiled_once
 from support.truth import WAVELENGTHS, exact_colours, index, pixel_cosines
 
 SIZE = 40
@@ -91,15 +89,7 @@ def exact(technique: str) -> tuple[np.ndarray, np.ndarray]:
 
 @pytest.fixture(scope="module")
 def compiled(tmp_path_factory) -> Path:
-    def make(folder: Path) -> None:
-        files = []
-        for technique in FILMS:
-            file = folder / f"{technique}.toml"
-            write_toml(file, template(technique))
-            files.append(file)
-        nacre("compile", *files, "-o", folder / "materials", "--quiet")
-
-    return made_once(tmp_path_factory, "techniques", make) / "materials"
+    return compiled_once(tmp_path_factory, "techniques", {name: template(name) for name in FILMS})
 
 
 @pytest.fixture(scope="module")

@@ -11,6 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from .templates import write_toml
+from .tool import nacre
+
 _DONE, _FAILED = ".done", ".failed"
 _PATIENCE = 600.0  # seconds
 
@@ -34,6 +37,18 @@ def made_once(factory: pytest.TempPathFactory, name: str, make: Callable[[Path],
         raise
     (folder / _DONE).touch()
     return folder
+
+
+def compiled_once(factory: pytest.TempPathFactory, name: str, templates: dict[str, dict]) -> Path:
+    """A folder of materials, compiled from templates by their ids."""
+
+    def make(folder: Path) -> None:
+        files = [folder / f"{material}.toml" for material in templates]
+        for file, template in zip(files, templates.values(), strict=True):
+            write_toml(file, template)
+        nacre("compile", *files, "-o", folder / "materials", "--quiet")
+
+    return made_once(factory, name, make) / "materials"
 
 
 def _wait_for(folder: Path) -> None:
