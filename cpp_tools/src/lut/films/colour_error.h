@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 #include "nacre/spectral/colour.h"
 
@@ -21,6 +22,9 @@ public:
 private:
     spectral::Mat3 to_xyz_;
 };
+
+/// Of a table whose errors nobody asked for.
+inline constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// Maximum and mean of many errors.
 struct ErrorStatistics {

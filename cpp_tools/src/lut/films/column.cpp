@@ -94,6 +94,7 @@ SpectralBlocks::Block make_block(const FilmTableRequest& request, std::size_t fi
 {
     const SampledStack& stack = request.stack;
     SpectralBlocks::Block block;
+    block.first = first;
     block.stack.layers.resize(stack.layers.size());
     for (std::size_t i = 0; i < kLanes; ++i) {
         const std::size_t k = std::min(first + i, spectral::kWavelengths - 1);
@@ -113,6 +114,15 @@ SpectralBlocks::Block make_block(const FilmTableRequest& request, std::size_t fi
         }
     }
     return block;
+}
+
+bool has_weight(const spectral::ColourWeights& weights, std::size_t first)
+{
+    const std::size_t end = std::min(first + kLanes, spectral::kWavelengths);
+    for (std::size_t i = first; i < end; ++i)
+        for (const spectral::Sampled& channel : weights.weight)
+            if (channel[i] != 0.0) return true;
+    return false;
 }
 
 bool all_coherent(const SpectralBlocks& spectral)
@@ -146,8 +156,9 @@ SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(requ
 {
     for (const SampledLayer& layer : request.stack.layers) coherent.push_back(layer.coherent);
     if (!request.stack.layers.empty()) technique = request.technique;
-    for (std::size_t b = 0; b < kBlocks; ++b)
-        blocks.push_back(make_block(request, b * optics::kLanes));
+    for (std::size_t first = 0; first < spectral::kWavelengths; first += optics::kLanes)
+        if (has_weight(request.weights, first))
+            blocks.push_back(make_block(request, first));
 }
 
 Column::Column(const SpectralBlocks& spectral) : spectral_(&spectral)

@@ -16,15 +16,13 @@
 namespace nacre::lut {
 
 /// What does not depend on the angle: the stack and the colour weights, laid out in blocks of
-/// lanes. The last block is filled up with wavelengths of weight 0.
+/// lanes. Blocks without any weight are left out; the last is filled up with wavelengths of none.
 class SpectralBlocks {
 public:
     explicit SpectralBlocks(const FilmTableRequest& request);
 
-    static constexpr std::size_t kBlocks =
-        (spectral::kWavelengths + optics::kLanes - 1) / optics::kLanes;
-
     struct Block {
+        std::size_t first;  ///< of the wavelengths
         optics::LaneStack stack;  ///< `waves` as of the request's thicknesses; cosine not set
         optics::Lanes inverse_wavelength;
         std::array<optics::Lanes, 3> weight;

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -358,7 +357,6 @@ Table make_table(const Baker& baker, const Baked& baked, bool transmittance)
     const ErrorStatistics& error =
         transmittance ? baked.errors.transmittance : baked.errors.reflectance;
     const bool scale = variation && !variation->layer;
-    constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
     const bool measured = baker.request.measure_error;
     return {.role = {transmittance ? TableOf::T : TableOf::R},
             .quantity = transmittance ? "transmittance" : "reflectance",

@@ -127,8 +127,8 @@ Table make_table(const FilmTableRequest& request, int height, bool transmittance
         }
         errors.add(difference(value(midpoint(exact[i - 1], exact[i + 1])), colour));
     }
-    table.error_max = errors.max;
-    table.error_mean = errors.mean();
+    table.error_max = request.measure_error ? errors.max : kNotMeasured;
+    table.error_mean = request.measure_error ? errors.mean() : kNotMeasured;
     return table;
 }
 

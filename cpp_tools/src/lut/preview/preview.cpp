@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -29,7 +28,6 @@ constexpr int kColumns = 33;
 // varies rows are cheap.
 constexpr int kScaledRows = 41, kRowsPerClosedFormRow = 4, kRowsPerRow = 2;
 constexpr int kInnerRows = 25;
-constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 /// Four neighbours and their weights: Catmull and Rom, with the ends continued straight.
 struct Cubic {

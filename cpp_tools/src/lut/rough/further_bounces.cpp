@@ -97,40 +97,65 @@ const std::vector<WalkStatistics>& all_statistics()
     return kAll;
 }
 
-/// Weights of the bands of 5 nm that stand for the 471 wavelengths.
-Eigen::Matrix<double, 3, Eigen::Dynamic> band_weights(const spectral::ColourWeights& weights)
-{
-    Eigen::Matrix<double, 3, Eigen::Dynamic> result =
-        Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, kBands);
-    for (std::size_t w = 0; w < spectral::kWavelengths; ++w) {
-        const auto band = std::min(static_cast<Eigen::Index>(w / kBandNm), kBands - 2);
-        const double t = static_cast<double>(w) / kBandNm - static_cast<double>(band);
-        for (Eigen::Index c = 0; c < 3; ++c) {
-            const double weight = weights.weight[static_cast<std::size_t>(c)][w];
-            result(c, band) += (1.0 - t) * weight;
-            result(c, band + 1) += t * weight;
+/// The bands of 5 nm that have a weight in a colour, which stand for the 471 wavelengths.
+struct WeightedBands {
+    std::vector<std::size_t> band;                        ///< ascending
+    Eigen::Matrix<double, 3, Eigen::Dynamic> of_channel;  ///< a column for each of them
+
+    explicit WeightedBands(const spectral::ColourWeights& weights)
+    {
+        Eigen::Matrix<double, 3, Eigen::Dynamic> all =
+            Eigen::Matrix<double, 3, Eigen::Dynamic>::Zero(3, kBands);
+        for (std::size_t w = 0; w < spectral::kWavelengths; ++w) {
+            const auto low = std::min(static_cast<Eigen::Index>(w / kBandNm), kBands - 2);
+            const double t = static_cast<double>(w) / kBandNm - static_cast<double>(low);
+            for (Eigen::Index c = 0; c < 3; ++c) {
+                const double weight = weights.weight[static_cast<std::size_t>(c)][w];
+                all(c, low) += (1.0 - t) * weight;
+                all(c, low + 1) += t * weight;
+            }
         }
+        for (Eigen::Index b = 0; b < kBands; ++b)
+            if (!all.col(b).isZero(0.0)) band.push_back(static_cast<std::size_t>(b));
+        of_channel.resize(3, static_cast<Eigen::Index>(band.size()));
+        for (std::size_t i = 0; i < band.size(); ++i)
+            of_channel.col(static_cast<Eigen::Index>(i)) =
+                all.col(static_cast<Eigen::Index>(band[i]));
     }
-    return result;
+};
+
+/// Which wavelengths the bands are, as a request has them.
+FilmTableRequest at_bands(FilmTableRequest request, const std::vector<std::size_t>& bands)
+{
+    for (spectral::Sampled& channel : request.weights.weight) {
+        channel.fill(0.0);
+        for (const std::size_t band : bands) channel[band * kBandNm] = 1.0;
+    }
+    return request;
 }
 
 /// R of the facets, cosines × bands, of every row.
-std::vector<MatrixXd> facet_reflectance(const FilmTableRequest& request, std::size_t rows)
+std::vector<MatrixXd> facet_reflectance(const FilmTableRequest& request,
+                                        const std::vector<std::size_t>& bands, std::size_t rows)
 {
     const double first = request.variation ? request.variation->min : 0.0;
     const double step =
         rows > 1 ? (request.variation->max - first) / static_cast<double>(rows - 1) : 0.0;
-    const SpectralBlocks spectral(request);
-    std::vector<MatrixXd> result(rows, MatrixXd::Ones(kNodes, kBands));
+    const SpectralBlocks spectral(at_bands(request, bands));
+    constexpr Eigen::Index kNone = -1;
+    std::vector<Eigen::Index> column_of(spectral::kWavelengths + optics::kLanes, kNone);
+    for (std::size_t i = 0; i < bands.size(); ++i)
+        column_of[bands[i] * kBandNm] = static_cast<Eigen::Index>(i);
+    std::vector<MatrixXd> result(
+        rows, MatrixXd::Ones(kNodes, static_cast<Eigen::Index>(bands.size())));
     tbb::parallel_for(Eigen::Index{1}, kNodes, [&](Eigen::Index node) {
         Column column(spectral);
         column.turn_to(static_cast<double>(node) / (kNodes - 1));
         column.visit_reflectance(
             first, step, rows, [&](std::size_t row, std::size_t block, const optics::Lanes& R) {
                 for (std::size_t i = 0; i < optics::kLanes; ++i) {
-                    const std::size_t wavelength = block * optics::kLanes + i;
-                    if (wavelength % kBandNm == 0 && wavelength < spectral::kWavelengths)
-                        result[row](node, static_cast<Eigen::Index>(wavelength / kBandNm)) = R[i];
+                    const Eigen::Index band = column_of[spectral.blocks[block].first + i];
+                    if (band != kNone) result[row](node, band) = R[i];
                 }
             });
     });
@@ -157,11 +182,11 @@ FurtherBounces::FurtherBounces(const FilmTableRequest& request, std::size_t rows
     : colours_(rows * kRoughSlices * kFurtherColumns)
 {
     const std::vector<WalkStatistics>& walks = all_statistics();
-    const auto weights = band_weights(request.weights);
-    const std::vector<MatrixXd> reflectance = facet_reflectance(request, rows);
+    const WeightedBands bands(request.weights);
+    const std::vector<MatrixXd> reflectance = facet_reflectance(request, bands.band, rows);
     tbb::parallel_for(std::size_t{0}, rows, [&](std::size_t row) {
         for (std::size_t i = 0; i < walks.size(); ++i) {
-            const Eigen::Vector3d colour = weights * further(walks[i], reflectance[row]);
+            const Eigen::Vector3d colour = bands.of_channel * further(walks[i], reflectance[row]);
             colours_[row * walks.size() + i] = {colour[0], colour[1], colour[2]};
         }
     });

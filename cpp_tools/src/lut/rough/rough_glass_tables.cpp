@@ -21,13 +21,18 @@ public:
     static constexpr int kSides = kGlassSides;
 
     struct View {
-        double cos_theta;
+        double cos_theta = 1.0;
         optics::GlassFacets facets;
     };
 
     GlassColours(double index, FilmTables smooth, const Vec3& white)
         : index_(index), smooth_(std::move(smooth)), white_(white)
     {}
+
+    [[nodiscard]] std::pair<double, std::size_t> surface() const
+    {
+        return {index_, static_cast<std::size_t>(smooth_.reflectance.x.texels)};
+    }
 
     [[nodiscard]] View see(const RoughPlace& place) const
     {

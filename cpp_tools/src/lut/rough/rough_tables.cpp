@@ -17,10 +17,11 @@ using spectral::Vec3;
 /// The facets seen at one angle and roughness.
 struct SeenFacets {
     std::vector<double> weights;
-    double albedo, cos_theta, slice;
+    double albedo = 1.0, cos_theta = 1.0, slice = 0.0;
 
+    SeenFacets() = default;
     SeenFacets(double at, double slices, std::size_t columns)
-        : weights(columns), albedo(1.0), cos_theta(at), slice(slices)
+        : weights(columns), cos_theta(at), slice(slices)
     {
         const double roughness = slice / kRoughSlices;
         if (slice > 0.0)
@@ -73,6 +74,7 @@ Vec3 passing(const FilmTables& smooth, std::size_t row, const Vec3& white)
 class RoughColours {
 public:
     static constexpr int kSides = 1;
+    using View = SeenFacets;
 
     RoughColours(const FilmTableRequest& request, FilmTables smooth)
         : smooth_(std::move(smooth)),
@@ -83,6 +85,11 @@ public:
         const Vec3 white = request.weights.white();
         for (std::size_t row = 0; row < rows; ++row)
             passing_.push_back(passing(smooth_, row, white));
+    }
+
+    [[nodiscard]] std::pair<double, std::size_t> surface() const
+    {
+        return {1.0, static_cast<std::size_t>(smooth_.reflectance.x.texels)};
     }
 
     [[nodiscard]] SeenFacets see(const RoughPlace& place) const

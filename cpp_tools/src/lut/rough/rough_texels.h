@@ -5,7 +5,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "films/colour_error.h"
@@ -16,7 +20,9 @@
 /// @file
 /// Rough tables of colours that are known at every view, row and roughness. `Colours` has
 ///   static constexpr int kSides;                              // of the surface, see Table::sides
-///   View see(const RoughPlace&) const;                        // with a cos_theta
+///   struct View;                                              // with a cos_theta
+///   std::pair<double, std::size_t> surface() const;           // what views depend on
+///   View see(const RoughPlace&) const;
 ///   RoughColour at(std::size_t row, const View&) const;       // rows half-way between texels too
 ///   double reflected_share(const View&) const;                // see rounded()
 ///   FilmColour counted(FilmColour tints, const View&) const;  // whose error is measured
@@ -113,18 +119,45 @@ struct RoughTexels {
     return result;
 }
 
+/// What all texels of a row see, strip by strip. The last ones are kept, since they do not depend
+/// on the film: the passes of one in bands have the same.
+template <class Colours>
+std::shared_ptr<const std::vector<typename Colours::View>> views_of_strips(const Colours& colours,
+                                                                           RoughSize size)
+{
+    using Views = std::vector<typename Colours::View>;
+    using Key = std::pair<std::pair<double, std::size_t>, std::size_t>;
+    constexpr std::size_t kKept = 8, kStrips = Colours::kSides * kRoughSlices;
+    static std::mutex mutex;
+    static std::map<Key, std::shared_ptr<const Views>> known;
+    const Key key{colours.surface(), size.width};
+    {
+        const std::scoped_lock lock(mutex);
+        if (const auto found = known.find(key); found != known.end()) return found->second;
+    }
+    auto views = std::make_shared<Views>(kStrips * size.width);
+    tbb::parallel_for(std::size_t{0}, views->size(), [&](std::size_t i) {
+        const std::size_t strip = i / size.width, x = i % size.width;
+        (*views)[i] = colours.see({.column = static_cast<double>(x) * size.step(),
+                                   .slice = static_cast<double>(strip % kRoughSlices + 1),
+                                   .side = static_cast<int>(strip / kRoughSlices)});
+    });
+    const std::scoped_lock lock(mutex);
+    if (known.size() >= kKept) known.clear();
+    known[key] = views;
+    return views;
+}
+
 template <class Colours>
 RoughTexels fill(const Colours& colours, RoughSize size)
 {
     constexpr std::size_t kStrips = Colours::kSides * kRoughSlices;
+    const auto views = views_of_strips(colours, size);
     RoughTexels texels{.size = size,
                        .strips = kStrips,
                        .values = std::vector<RoughColour>(kStrips * size.width * size.height)};
     tbb::parallel_for(std::size_t{0}, kStrips * size.width, [&](std::size_t i) {
-        const std::size_t strip = i / size.width, x = i % size.width;
-        const auto view = colours.see({.column = static_cast<double>(x) * size.step(),
-                                       .slice = static_cast<double>(strip % kRoughSlices + 1),
-                                       .side = static_cast<int>(strip / kRoughSlices)});
+        const auto& view = (*views)[i];
         for (std::size_t y = 0; y < size.height; ++y)
             texels.values[y * kStrips * size.width + i] =
                 rounded(colours.at(size.exact_row(2 * y), view), colours.reflected_share(view));
@@ -212,7 +245,7 @@ Table make_rough_table(const Table& smooth, TableContent form, const RoughTexels
                              static_cast<int>(texels.size.height),
                              static_cast<int>(texels.strips) / kRoughSlices);
     table.error_max = error.max;
-    table.error_mean = error.mean();
+    table.error_mean = error.count > 0 ? error.mean() : error.max;
     table.texel_bits = kRoughTexelBits;
     table.texels.reserve(3 * texels.values.size());
     for (const RoughColour& colour : texels.values)
@@ -227,7 +260,9 @@ RoughTables rough_film_tables(const Colours& colours, const FilmTableRequest& re
                               const FilmTables& smooth)
 {
     const RoughTexels texels = fill(colours, rough_size(smooth.reflectance));
-    const RoughErrors error = measure(colours, texels, ColourError(request.weights.to_xyz_d65));
+    const RoughErrors error =
+        request.measure_error ? measure(colours, texels, ColourError(request.weights.to_xyz_d65))
+                              : RoughErrors{{.max = kNotMeasured}, {.max = kNotMeasured}};
     RoughTables result{.reflectance = make_rough_table(
                            smooth.reflectance, TableContent::rough, texels, error.reflectance,
                            [](const RoughColour& at) { return at.film.reflectance; }),
