@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import re
+
 import colour
 import numpy as np
 import pytest
@@ -137,6 +139,58 @@ def test_films_ask_for_more_passes_than_paint():
     _, paper = nacre.choose_bands(["F11"], wavelength_nm=[400, 700], reflectances=[1.0, 1.0])
     assert paper.error.max < 1e-3
     assert all(choice.passes % 3 for choice in (paint, film, glass))
+
+
+FILM = """
+schema = 1
+[material]
+id = "film"
+name = "Film"
+category = "Films"
+description = "A film"
+source = "made up"
+[ambient]
+medium = "air"
+[[layer]]
+n = 1.5
+thickness_nm = { default = 300, min = 0, max = 600, varies = true }
+[substrate]
+n = 2.0
+"""
+
+
+def test_tables_of_a_film_in_bands():
+    """Each pass has the reflectance at its three wavelengths, as the film's own spectrum has it."""
+    bands = nacre.bands(24, ["F11"])
+    passes = [[k, k + 8, k + 16] for k in range(8)]
+    tables = nacre.band_tables(FILM, bands, passes, {"R": (7, 5)})
+    assert tables["R"].shape == (8, 7, 5, 3)
+    assert tables["R"].dtype == np.float32
+    for row, thickness in ((0, 0.0), (3, 300.0), (6, 600.0)):
+        spectrum = nacre.template_spectrum(FILM, thickness, np.degrees(np.arccos(0.75))).reflectance
+        at_bands = np.interp(bands.wavelength_nm, np.arange(360, 831), spectrum)
+        np.testing.assert_allclose(tables["R"][:, row, 3], at_bands[np.array(passes)], atol=2e-5)
+
+
+def test_optical_thickness_is_that_of_the_thickest_film():
+    assert nacre.optical_thickness(FILM) == pytest.approx(900.0, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("passes", "sizes", "message"),
+    [
+        ([[0, 1]], {}, "passes: must be whole numbers of shape (P, 3)"),
+        ([[0.5, 1, 2]], {}, "passes: must be whole numbers"),
+        ([[0, 1, 24]], {}, "passes: must be bands from 0 to 23"),
+        ([[0, 1, -1]], {}, "passes: must be bands from 0 to 23"),
+        ([[0, 1, 2]], {"Q": (1, 1)}, 'must be the name of a table (got "Q")'),
+        ([[0, 1, 2]], {"R": (7, 5), "T": (7, 5)}, "film.toml: such a film has no table T"),
+        ([[0, 1, 2]], {"R": (0, 5)}, "sizes['R']: must be above 0"),
+    ],
+)
+def test_refusals_of_tables(passes, sizes, message):
+    with pytest.raises(nacre.NacreError, match=re.escape(message)):
+        nacre.band_tables(FILM, nacre.bands(24), passes, sizes, "film.toml")
 
 
 @pytest.mark.parametrize(

@@ -38,6 +38,7 @@ from ._compile import (
     template_spectrum,
 )
 from ._film import FilmLut, Table, film_lut
+from ._film_bands import band_tables, optical_thickness
 from ._grating import GratingOrders, grating_orders
 from ._models import film_reflectance, slit_intensity
 from ._native import NacreError, version
@@ -62,6 +63,7 @@ __all__ = [
     "StackResult",
     "Table",
     "TemplateSpectrum",
+    "band_tables",
     "bands",
     "choose_bands",
     "colour_matching",
@@ -73,6 +75,7 @@ __all__ = [
     "illuminant",
     "library",
     "map_range",
+    "optical_thickness",
     "preview_tables",
     "rgb_basis",
     "rgb_to_spectrum",

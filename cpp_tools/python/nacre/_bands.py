@@ -141,7 +141,7 @@ class Bands:
     """
 
     def __init__(self, handle: c_void_p, observer: str) -> None:
-        self._handle = handle
+        self.handle = handle
         weakref.finalize(self, lib.nacre_bands_free, handle)
         count = lib.nacre_bands_count(handle)
         self.observer = observer
@@ -170,9 +170,7 @@ class Bands:
         given = _LightRecords([light])
         power = np.empty(len(self))
         check(
-            lib.nacre_light_in_bands(
-                self._handle, ctypes.byref(given.records[0]), power.ctypes.data
-            )
+            lib.nacre_light_in_bands(self.handle, ctypes.byref(given.records[0]), power.ctypes.data)
         )
         return power
 
@@ -200,7 +198,7 @@ class Bands:
         mean, largest = ctypes.c_double(), ctypes.c_double()
         check(
             lib.nacre_band_error(
-                self._handle,
+                self.handle,
                 ctypes.byref(given.records[0]),
                 nm.size,
                 nm.ctypes.data,

@@ -12,8 +12,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ._capi import WAVELENGTHS, TableSize
-from ._native import NacreError, check, lib, number, numbers, take_tables
+from ._capi import WAVELENGTHS
+from ._film_bands import table_sizes
+from ._native import check, lib, number, take_tables
 from ._native import text as encoded
 
 
@@ -116,18 +117,12 @@ def preview_tables(
     NacreError
         Problems of the template, one a line; a table that such a film does not have.
     """
-    wanted = (TableSize * len(sizes))()
-    for entry, (name, shape) in zip(wanted, sizes.items(), strict=True):
-        height, width = numbers(shape, f"sizes[{name!r}]", int, 2)
-        if not (0 < height < 2**31 and 0 < width < 2**31):
-            raise NacreError(f"sizes[{name!r}]: must be above 0 (got {shape})")
-        entry.name, entry.width, entry.height = encoded(name, "sizes"), width, height
     handle = c_void_p()
     check(
         lib.nacre_preview_template(
             *_texts(template, file, illuminant, observer, space, adaptation, strict_range),
             len(sizes),
-            wanted,
+            table_sizes(sizes),
             ctypes.byref(handle),
         )
     )

@@ -18,7 +18,8 @@ using spectral::SpectralLine, spectral::Vec3;
 
 namespace {
 
-constexpr int kFewestBands = 3;  ///< one pass
+constexpr int kFewestBands = 3;          ///< one pass
+constexpr double kBandsOfFringe = 3.75;  ///< that can tell it; fewer are as good with its mean
 
 /// Steps of the fine grid.
 struct Span {
@@ -176,6 +177,32 @@ Vec3 Bands::xyz(std::span<const double> values) const noexcept
     for (std::size_t k = 0; k < bands.size(); ++k)
         for (std::size_t c = 0; c < 3; ++c) sum[c] += bands[k].xyz[c] * values[k];
     return sum;
+}
+
+spectral::Sampled film_weights(const Bands& bands, std::size_t band, double optical_thickness_nm)
+{
+    const Band& of = bands.bands[band];
+    spectral::Sampled weights{};
+    const auto add = [&weights](double nm, double weight) {
+        const double offset = nm - spectral::kFirstNm;
+        const auto below = std::min(static_cast<std::size_t>(offset), spectral::kWavelengths - 2);
+        const double above = offset - static_cast<double>(below);
+        weights[below] += (1.0 - above) * weight;
+        weights[below + 1] += above * weight;
+    };
+    // One way for all bands: what is off in some of them is made up for in others.
+    const double fringes =
+        2.0 * optical_thickness_nm * (1.0 / spectral::kFirstNm - 1.0 / spectral::kLastNm);
+    if (of.is_line || kBandsOfFringe * fringes <= static_cast<double>(bands.size())) {
+        add(of.wavelength_nm, 1.0);
+        return weights;
+    }
+    const Eye& seen = eye(bands.observer);
+    const std::size_t first = step_of(of.first_nm), end = step_of(of.last_nm);
+    double sum = 0.0;
+    for (std::size_t i = first; i < end; ++i) sum += seen.sum[i];
+    for (std::size_t i = first; i < end; ++i) add(fine_nm(i), seen.sum[i] / sum);
+    return weights;
 }
 
 int fewest_bands(std::span<const Light> lights)

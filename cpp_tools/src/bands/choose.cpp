@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "eye.h"
@@ -63,46 +64,11 @@ double widest_step(const Bands& bands, const Spread& spread)
     return widest;
 }
 
-/// How much of what is allowed each need takes up: 1 is the limit.
-struct Load {
-    const char* held;
-    double load;
-};
+/// A surface as the bands have it.
+using Reading = std::function<double(std::size_t band, const Fine& reflectance)>;
 
-Choice try_passes(const Needs& needs, const std::vector<std::vector<Fine>>& films, int passes,
-                  spectral::ObserverId observer)
-{
-    Choice choice{.passes = passes,
-                  .bands = make_bands(3 * passes, needs.lights, observer),
-                  .error = {0.0, 0.0},
-                  .fringes = 0.0,
-                  .step_px = 0.0,
-                  .held = "lights",
-                  .met = false};
-    for (const Light& light : needs.lights) {
-        if (!needs.reflectances.empty()) {
-            const BandError error = band_error(choice.bands, light, needs.reflectances);
-            choice.error = {std::max(choice.error.mean, error.mean),
-                            std::max(choice.error.max, error.max)};
-        }
-        for (const std::vector<Fine>& film : films)
-            choice.fringes = std::max(choice.fringes, band_error(choice.bands, light, film).mean);
-    }
-    for (const Spread& spread : needs.spreads)
-        choice.step_px = std::max(choice.step_px, widest_step(choice.bands, spread));
-    const Load loads[] = {{"lights", std::max(choice.error.mean / needs.mean_error,
-                                              choice.error.max / needs.max_error)},
-                          {"films", choice.fringes / needs.mean_error},
-                          {"spreads", choice.step_px / kWidestStepPx}};
-    const Load& worst = *std::ranges::max_element(loads, {}, &Load::load);
-    choice.held = worst.held;
-    choice.met = worst.load <= 1.0;
-    return choice;
-}
-
-}  // namespace
-
-BandError band_error(const Bands& bands, const Light& light, std::span<const Fine> reflectances)
+BandError error_of(const Bands& bands, const Light& light, std::span<const Fine> reflectances,
+                   const Reading& read)
 {
     assert(!reflectances.empty());
     const Eye& seen = eye(bands.observer);
@@ -123,13 +89,76 @@ BandError band_error(const Bands& bands, const Light& light, std::span<const Fin
     for (const Fine& reflectance : reflectances) {
         assert(reflectance.size() == kFineWavelengths);
         for (std::size_t k = 0; k < bands.size(); ++k)
-            reflected[k] = power[k] * read_at(reflectance, bands.bands[k].wavelength_nm);
+            reflected[k] = power[k] * read(k, reflectance);
         const double difference = spectral::delta_e_2000(lab(bands.xyz(reflected)),
                                                          lab(exact_xyz(seen, light, &reflectance)));
         error.mean += difference / static_cast<double>(reflectances.size());
         error.max = std::max(error.max, difference);
     }
     return error;
+}
+
+/// Of films, read as film_weights() has it.
+double film_error(const Bands& bands, const Light& light, double optical_thickness_nm)
+{
+    std::vector<spectral::Sampled> weights;
+    for (std::size_t k = 0; k < bands.size(); ++k)
+        weights.push_back(film_weights(bands, k, optical_thickness_nm));
+    const std::vector<Fine> films = fringes(optical_thickness_nm);
+    return error_of(bands, light, films,
+                    [&weights](std::size_t band, const Fine& film) {
+                        double sum = 0.0;
+                        for (std::size_t i = 0; i < spectral::kWavelengths; ++i)
+                            if (weights[band][i] > 0.0)
+                                sum += weights[band][i] * read_at(film, spectral::wavelength_nm(i));
+                        return sum;
+                    })
+        .mean;
+}
+
+/// How much of what is allowed each need takes up: 1 is the limit.
+struct Load {
+    const char* held;
+    double load;
+};
+
+Choice try_passes(const Needs& needs, int passes, spectral::ObserverId observer)
+{
+    Choice choice{.passes = passes,
+                  .bands = make_bands(3 * passes, needs.lights, observer),
+                  .error = {0.0, 0.0},
+                  .fringes = 0.0,
+                  .step_px = 0.0,
+                  .held = "lights",
+                  .met = false};
+    for (const Light& light : needs.lights) {
+        if (!needs.reflectances.empty()) {
+            const BandError error = band_error(choice.bands, light, needs.reflectances);
+            choice.error = {std::max(choice.error.mean, error.mean),
+                            std::max(choice.error.max, error.max)};
+        }
+        for (const double nd : needs.fringes_nm)
+            choice.fringes = std::max(choice.fringes, film_error(choice.bands, light, nd));
+    }
+    for (const Spread& spread : needs.spreads)
+        choice.step_px = std::max(choice.step_px, widest_step(choice.bands, spread));
+    const Load loads[] = {{"lights", std::max(choice.error.mean / needs.mean_error,
+                                              choice.error.max / needs.max_error)},
+                          {"films", choice.fringes / needs.mean_error},
+                          {"spreads", choice.step_px / kWidestStepPx}};
+    const Load& worst = *std::ranges::max_element(loads, {}, &Load::load);
+    choice.held = worst.held;
+    choice.met = worst.load <= 1.0;
+    return choice;
+}
+
+}  // namespace
+
+BandError band_error(const Bands& bands, const Light& light, std::span<const Fine> reflectances)
+{
+    return error_of(bands, light, reflectances, [&bands](std::size_t band, const Fine& surface) {
+        return read_at(surface, bands.bands[band].wavelength_nm);
+    });
 }
 
 std::vector<Fine> fringes(double optical_thickness_nm)
@@ -149,16 +178,14 @@ Choice choose_bands(const Needs& needs, spectral::ObserverId observer)
 {
     if (needs.lights.empty())
         throw InputError({.file = {}, .field = "lights", .message = "must be one or more"});
-    std::vector<std::vector<Fine>> films;
-    for (const double nd : needs.fringes_nm) films.push_back(fringes(nd));
     const int fewest = fewest_bands(needs.lights);
     const auto* passes =
         std::ranges::find_if(kPasses, [fewest](int candidate) { return 3 * candidate >= fewest; });
     if (passes == std::end(kPasses)) --passes;  // make_bands() says what is wrong
-    Choice choice = try_passes(needs, films, *passes, observer);
+    Choice choice = try_passes(needs, *passes, observer);
     if (choice.met && passes != std::begin(kPasses)) choice.held = "lines";
     while (!choice.met && ++passes != std::end(kPasses))
-        choice = try_passes(needs, films, *passes, observer);
+        choice = try_passes(needs, *passes, observer);
     return choice;
 }
 

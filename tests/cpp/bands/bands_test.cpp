@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "nacre/bands/bands.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "nacre/library/spectrum_library.h"
@@ -196,6 +197,56 @@ TEST(NamedLight, HasLinesOrPower)
     EXPECT_EQ(daylight.power.size(), kFineWavelengths);
     EXPECT_INPUT_ERROR((void)named_light("line:300"), "300");
     EXPECT_INPUT_ERROR((void)named_light("candle"), "candle");
+}
+
+TEST(FilmWeights, ReadAtAWavelengthWhereFringesAreWide)
+{
+    const Light light = named_light("D65");
+    const Bands made = make_bands(24, {&light, 1}, ObserverId::cie1931);
+    const spectral::Sampled weights = film_weights(made, 12, 400.0);
+    double sum = 0.0, centre = 0.0;
+    int used = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        EXPECT_GE(weights[i], 0.0);
+        sum += weights[i];
+        centre += weights[i] * spectral::wavelength_nm(i);
+        used += weights[i] > 0.0 ? 1 : 0;
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-12);
+    EXPECT_NEAR(centre, made.bands[12].wavelength_nm, 1e-9);
+    EXPECT_LE(used, 2);
+}
+
+TEST(FilmWeights, AreAMeanWhereFringesAreNarrow)
+{
+    const Light light = named_light("D65");
+    const Bands made = make_bands(24, {&light, 1}, ObserverId::cie1931);
+    for (std::size_t k = 0; k < made.size(); ++k) {
+        const spectral::Sampled weights = film_weights(made, k, 1e5);
+        double sum = 0.0, centre = 0.0;
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            sum += weights[i];
+            centre += weights[i] * spectral::wavelength_nm(i);
+            const double nm = spectral::wavelength_nm(i);
+            if (nm < made.bands[k].first_nm - 1.0 || nm > made.bands[k].last_nm + 1.0) {
+                EXPECT_EQ(weights[i], 0.0);
+            }
+        }
+        EXPECT_NEAR(sum, 1.0, 1e-12);
+        EXPECT_NEAR(centre, made.bands[k].wavelength_nm, 1e-6);  // its middle to the eye
+    }
+}
+
+TEST(FilmWeights, OfALineAreAtTheLine)
+{
+    const Light light = named_light("line:589.3");
+    const Bands made = make_bands(24, {&light, 1}, ObserverId::cie1931);
+    const auto line = std::ranges::find_if(made.bands, &Band::is_line);
+    ASSERT_NE(line, made.bands.end());
+    const spectral::Sampled weights =
+        film_weights(made, static_cast<std::size_t>(line - made.bands.begin()), 1e5);
+    EXPECT_NEAR(weights[229], 0.7, 1e-9);
+    EXPECT_NEAR(weights[230], 0.3, 1e-9);
 }
 
 }  // namespace

@@ -124,12 +124,30 @@ TEST(Choose, FilmsTakeMoreTheThickerTheyAre)
         before = choice.passes;
     }
     EXPECT_GT(before, 20);
+}
+
+// Nobody sees them: their colour is that of their mean, which a band has.
+TEST(Choose, FringesThatAreFinerThanTheEyeTakeFewPasses)
+{
     Needs needs = under({"D65"});
     needs.fringes_nm = {60'000.0};
     const Choice choice = choose(needs);
+    EXPECT_TRUE(choice.met);
+    EXPECT_LE(choice.passes, 20);
+    EXPECT_LE(choice.fringes, 0.1);
+}
+
+TEST(Choose, SaysWhenTheMostPassesAreNotEnough)
+{
+    Needs needs = under({"D65"});
+    needs.fringes_nm = {8000.0};
+    needs.mean_error = 1e-4;
+    needs.reflectances.clear();
+    const Choice choice = choose(needs);
     EXPECT_FALSE(choice.met);
     EXPECT_EQ(choice.passes, 100);
-    EXPECT_GT(choice.fringes, 0.1);
+    EXPECT_EQ(choice.held, "films");
+    EXPECT_GT(choice.fringes, 1e-4);
 }
 
 TEST(Choose, SpreadWavelengthsAreAPixelApart)

@@ -11,6 +11,7 @@
 #include "nacre/spectral/illuminant.h"
 #include "nacre/spectral/matrix.h"
 #include "nacre/spectral/observer.h"
+#include "nacre/spectral/wavelengths.h"
 
 /// @file
 /// A spectrum as a few numbers: bands, each with one wavelength at which surfaces are known and one
@@ -68,5 +69,13 @@ inline constexpr int kMostBands = 300;
 /// That is a least-squares fit, Σ_j (Σ_k W_k S_k φ_j(λ_k) − ∫ W S φ_j dλ)² + ρ² Σ_k |W_k|² (S_k −
 /// S̄_k)², white weighed a thousandfold, S_k ≥ 0. Lines that have a band are not part of it.
 [[nodiscard]] std::vector<double> light_in_bands(const Bands& bands, const Light& light);
+
+/// What a film of this optical thickness (index times thickness) is in a band, as weights of the
+/// nanometres, ≥ 0 and 1 together: its reflectance at Band::wavelength_nm, or where it has more
+/// fringes than bands can tell, its mean over the band to the eye. Under D65 24 bands show films to
+/// 1.5 µm so within ΔE00 0.1 on average, those of 2.5 µm and more within 0.6, where reading at one
+/// wavelength is off by 3 at 6 µm.
+[[nodiscard]] spectral::Sampled film_weights(const Bands& bands, std::size_t band,
+                                             double optical_thickness_nm);
 
 }  // namespace nacre::bands

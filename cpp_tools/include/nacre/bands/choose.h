@@ -49,7 +49,7 @@ struct Choice {
     int passes;
     Bands bands;       ///< three times as many
     BandError error;   ///< of reflectances under the light that is worst off
-    double fringes;    ///< mean ΔE00 of films, the worst; 0 without films
+    double fringes;    ///< mean ΔE00 of films by film_weights(), the worst; 0 without films
     double step_px;    ///< the widest step of a spread; 0 without spreads
     std::string held;  ///< what is nearest to its limit: "lights", "lines", "films", "spreads"
     bool met;          ///< false where even the most passes are not enough

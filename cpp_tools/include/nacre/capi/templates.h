@@ -3,6 +3,7 @@
 #ifndef NACRE_CAPI_TEMPLATES_H
 #define NACRE_CAPI_TEMPLATES_H
 
+#include "nacre/capi/bands.h"
 #include "nacre/capi/tables.h"
 
 /**
@@ -40,6 +41,21 @@ NACRE_API nacre_status nacre_preview_template(const char* text, const char* file
                                               const char* space, const char* adaptation,
                                               size_t count, const nacre_table_size* sizes,
                                               nacre_result** result);
+
+/**
+ * Tables of these names and sizes, those of a compiled film, where the three channels of a render
+ * are three bands: texels are the reflectance in each, and pass lies below pass, so that a table is
+ * `passes` times as high. `R_schlick` and `lobe_...` are left out.
+ * @param band  passes x 3: indices into the bands
+ */
+NACRE_API nacre_status nacre_band_tables(const char* text, const char* file,
+                                         const nacre_bands* bands, size_t passes,
+                                         const size_t* band, size_t count,
+                                         const nacre_table_size* sizes, nacre_result** result);
+
+/** Of the film of a template at its thickest: the sum of index times thickness of its layers. */
+NACRE_API nacre_status nacre_template_optical_thickness(const char* text, const char* file,
+                                                        double* thickness_nm);
 
 /**
  * What the film of a template reflects and lets pass, unpolarised.

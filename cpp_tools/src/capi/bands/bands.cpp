@@ -9,15 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "bands/bands_handle.h"
 #include "base/guard.h"
 #include "base/kept_text.h"
 #include "nacre/bands/choose.h"
 #include "nacre/library/spectrum_library.h"
 #include "nacre/spectral/named_spectrum.h"
-
-struct nacre_bands {
-    nacre::bands::Bands made;
-};
 
 namespace nacre::capi {
 namespace {

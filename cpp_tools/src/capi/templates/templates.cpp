@@ -12,8 +12,10 @@
 #include <utility>
 #include <vector>
 
+#include "bands/bands_handle.h"
 #include "base/guard.h"
 #include "colour/colour_maker.h"
+#include "nacre/kinds/film_bands.h"
 #include "nacre/kinds/film_preview.h"
 #include "nacre/kinds/read_template.h"
 #include "tables/result.h"
@@ -37,6 +39,32 @@ kinds::CompileOptions compile_options(const char* text, const char* file, const 
     return options;
 }
 
+namespace {
+
+std::vector<kinds::TableLayout> layout_from(size_t count, const nacre_table_size* sizes)
+{
+    if (count > 0) require(sizes, "sizes");
+    std::vector<kinds::TableLayout> layout;
+    for (const nacre_table_size& size : std::span(sizes, count)) {
+        require(size.name, "sizes.name");
+        const auto role = table_role(size.name);
+        if (!role)
+            fail("sizes.name",
+                 fmt::format("must be the name of a table (got \"{}\")", size.name));
+        layout.push_back({*role, {size.width, size.height}});
+    }
+    return layout;
+}
+
+/// Where colours do not matter.
+kinds::CompileOptions plain_options(const char* text, const char* file)
+{
+    require(text, "text");
+    require(file, "file");
+    return {};
+}
+
+}  // namespace
 }  // namespace nacre::capi
 
 extern "C" {
@@ -48,22 +76,50 @@ nacre_status nacre_preview_template(const char* text, const char* file, const ch
 {
     using namespace nacre;
     return capi::guarded([&] {
-        if (count > 0) capi::require(sizes, "sizes");
         capi::require(result, "result");
         const auto options =
             capi::compile_options(text, file, {illuminant, observer, space, adaptation});
-        std::vector<kinds::TableLayout> layout;
-        for (const nacre_table_size& size : std::span(sizes, count)) {
-            capi::require(size.name, "sizes.name");
-            const auto role = table_role(size.name);
-            if (!role)
-                capi::fail("sizes.name",
-                           fmt::format("must be the name of a table (got \"{}\")", size.name));
-            layout.push_back({*role, {size.width, size.height}});
-        }
+        const std::vector<kinds::TableLayout> layout = capi::layout_from(count, sizes);
         auto made = std::make_unique<nacre_result>();
         made->tables = kinds::preview_tables(kinds::parse_template(text, file), options, layout);
         *result = made.release();
+    });
+}
+
+nacre_status nacre_band_tables(const char* text, const char* file, const nacre_bands* bands,
+                               size_t passes, const size_t* band, size_t count,
+                               const nacre_table_size* sizes, nacre_result** result)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        capi::require(bands, "bands");
+        capi::require(result, "result");
+        if (passes > 0) capi::require(band, "band");
+        const kinds::CompileOptions options = capi::plain_options(text, file);
+        const std::vector<kinds::TableLayout> layout = capi::layout_from(count, sizes);
+        const kinds::MaterialTemplate source = kinds::parse_template(text, file);
+        const double thickness_nm = kinds::optical_thickness_nm(source, options);
+        std::vector<kinds::BandPass> weights(passes);
+        for (size_t i = 0; i < 3 * passes; ++i) {
+            if (band[i] >= bands->made.size())
+                capi::fail("band", fmt::format("must be below {} (got {})", bands->made.size(),
+                                               band[i]));
+            weights[i / 3][i % 3] = bands::film_weights(bands->made, band[i], thickness_nm);
+        }
+        auto made = std::make_unique<nacre_result>();
+        made->tables = kinds::band_tables(source, options, weights, layout);
+        *result = made.release();
+    });
+}
+
+nacre_status nacre_template_optical_thickness(const char* text, const char* file,
+                                              double* thickness_nm)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        capi::require(thickness_nm, "thickness_nm");
+        const kinds::CompileOptions options = capi::plain_options(text, file);
+        *thickness_nm = kinds::optical_thickness_nm(kinds::parse_template(text, file), options);
     });
 }
 

@@ -4,77 +4,16 @@
 #include <iterator>
 #include <utility>
 
-#include "film/fields.h"
 #include "film/film_program.h"
+#include "film/film_tables.h"
 #include "film/solid_index.h"
-#include "nacre/core/diagnostics.h"
 #include "nacre/kinds/film.h"
-#include "nacre/lut/film_table.h"
-#include "nacre/lut/inner_tables.h"
 #include "nacre/lut/rough_glass_tables.h"
 #include "nacre/lut/schlick_fit.h"
 
 namespace nacre::kinds {
 namespace film {
 namespace {
-
-/// Of smooth tables. What is lost to rounding is 0.002 of ΔE00 on average, a quarter of what their
-/// rows are allowed, and their files are a quarter as large.
-constexpr int kTexelBits = 13;
-
-/// R, and what light needs that goes on below the film, smooth and rough.
-/// @param solid  solid_index() of a film on glass
-std::vector<lut::Table> film_tables(const lut::FilmTableRequest& request, Interior below,
-                                    std::optional<double> solid)
-{
-    lut::FilmTableRequest rounded = request;
-    rounded.texel_bits = kTexelBits;
-    lut::FilmTables baked = lut::bake_film_tables(rounded);
-    lut::RoughTables rough = solid ? lut::bake_rough_glass_tables(request, baked, *solid)
-                                   : lut::bake_rough_tables(request, baked);
-    const int height = baked.reflectance.y.texels;
-    std::vector<lut::Table> tables{std::move(baked.reflectance), std::move(rough.reflectance)};
-    const auto add = [&tables](std::optional<lut::Table>& table) {
-        if (table) tables.push_back(std::move(*table));
-    };
-    add(rough.further);
-    add(baked.transmittance);
-    add(rough.transmittance);
-    if (below == Interior::diffuse) {
-        lut::InnerTables inner = lut::bake_inner_tables(request, height);
-        tables.push_back(std::move(inner.reflectance));
-        tables.push_back(std::move(inner.transmittance));
-    }
-    return tables;
-}
-
-/// Problems of the bake belong to the template as a whole.
-template <class Bake>
-auto bake(const MaterialTemplate& source, Bake&& work)
-{
-    try {
-        return work();
-    } catch (const InputError& error) {
-        std::vector<Diagnostic> problems(error.diagnostics().begin(), error.diagnostics().end());
-        for (Diagnostic& problem : problems)
-            if (problem.file.empty()) problem.file = source.file;
-        throw InputError(std::move(problems));
-    }
-}
-
-/// Tables of the substrate alone, where coverage fades the film.
-void add_bare_tables(lut::FilmTableRequest request, const MaterialTemplate& source,
-                     std::optional<double> solid, std::vector<lut::Table>& tables)
-{
-    if (source.parameter(kCoverage.name) == nullptr) return;
-    request.stack.layers.clear();
-    request.variation.reset();
-    request.progress = nullptr;
-    for (lut::Table& table : film_tables(request, film_of(source).interior(), solid)) {
-        table.role.is_bare = true;
-        tables.push_back(std::move(table));
-    }
-}
 
 /// What the lobe of clear glass brings along, over slices as wide as those of the film.
 void add_lobe_tables(double index, std::vector<lut::Table>& tables)
@@ -92,7 +31,7 @@ void add_lobe_tables(double index, std::vector<lut::Table>& tables)
 Prepared Film::prepare(const MaterialTemplate& source, const CompileOptions& options) const
 {
     const lut::FilmTableRequest request = film_request(source, options);
-    return film::bake(source, [&] {
+    return film::with_file(source, [&] {
         const std::optional<double> solid = film::solid_index(source, options.range);
         Prepared result{.program = {}, .tables = film::film_tables(request, interior(), solid)};
         std::optional<oslgen::PowerLobes> powers;
@@ -103,7 +42,9 @@ Prepared Film::prepare(const MaterialTemplate& source, const CompileOptions& opt
             result.tables.push_back(std::move(fit.coefficients));
             powers = {std::move(fit.exponents), std::move(fit.bare), fit.error_max, fit.error_rms};
         }
-        film::add_bare_tables(request, source, solid, result.tables);
+        if (film::fades(source))
+            std::ranges::move(film::bare_tables(request, film_of(source).interior(), solid),
+                              std::back_inserter(result.tables));
         result.program = film::program(source, result.tables, solid, std::move(powers));
         return result;
     });
