@@ -10,7 +10,7 @@ from pathlib import Path
 
 import bpy
 
-from ..spectral import convert, groups, plan, rendering
+from ..spectral import convert, films, groups, plan, rendering
 from ..spectral.described import Described, SpectrumError
 from ..spectral.marks import WORLD
 from . import console
@@ -69,12 +69,14 @@ def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
     for text in options.light:
         _give_light(scene, text)
     passes = None if options.bands is None else options.bands // 3
-    made = plan.make(groups.found_spectra(), passes)
+    made = plan.make(groups.found_spectra(), passes, films_nm=films.thicknesses_nm())
     notes = [f"{remark.where}: {remark.text}" for remark in report.remarks]
     if made.choice is not None and not made.choice.met:
+        of_films = made.choice.held == "films"
+        error = made.choice.film_error if of_films else made.choice.error.mean
         notes.append(
-            f"{len(made.bands)} bands, the most there are, show these lights within "
-            f"ΔE00 {made.choice.error.mean:.2f} on average"
+            f"{len(made.bands)} bands, the most there are, show these "
+            f"{'films' if of_films else 'lights'} within ΔE00 {error:.2f} on average"
         )
     return Prepared(made, notes)
 

@@ -41,5 +41,26 @@ def _curves(animation: bpy.types.AnimData | None) -> Iterator[bpy.types.FCurve]:
 
 def is_animated(socket: bpy.types.NodeSocket) -> bool:
     """Whether keyframes or a driver give its value."""
-    path = socket.path_from_id("default_value")
-    return any(curve.data_path == path for curve in _curves(socket.id_data.animation_data))
+    return _is_on(socket.id_data, socket.path_from_id("default_value"))
+
+
+def is_property_animated(owner: bpy.types.ID, name: str) -> bool:
+    return _is_on(owner, name)
+
+
+def _is_on(owner: bpy.types.ID, path: str) -> bool:
+    return any(curve.data_path == path for curve in _curves(owner.animation_data))
+
+
+def is_shared(tree: bpy.types.NodeTree) -> bool:
+    """Whether other blocks follow the same keyframes, which cannot be moved then."""
+    animation = tree.animation_data
+    return animation is not None and animation.action is not None and animation.action.users > 1
+
+
+def move(source: bpy.types.NodeSocket, target: bpy.types.NodeSocket) -> None:
+    """Lets what gives the value of one input give that of another one of the same tree."""
+    before, after = (socket.path_from_id("default_value") for socket in (source, target))
+    for curve in _curves(source.id_data.animation_data):
+        if curve.data_path == before:
+            curve.data_path = after

@@ -52,13 +52,18 @@ def recipe(material: bpy.types.Material) -> Recipe:
             detail = f" ({problem})" if problem else ""
             raise RecipeError(f"{material.name}: the stored stack is damaged{detail}; revert it")
         return Recipe(template, Conditions(*names))
-    tree = group_node(material).node_tree
+    return recipe_of_group(group_node(material).node_tree, material.name)
+
+
+def recipe_of_group(tree: bpy.types.NodeTree, name: str) -> Recipe:
+    """That it was compiled from; `name` is for messages. Raises RecipeError where it is from before groups
+    said so."""
     text = tree.get(groups.TEMPLATE_TEXT, "")
     if text and isinstance(text, str):
         return Recipe(text, _conditions(tree))
     known = Library.default().load(tree[groups.MATERIAL])
     if not known.template:
-        raise RecipeError(f"{material.name} was made by an older version: assign it again")
+        raise RecipeError(f"{name} was made by an older version: assign it again")
     return Recipe(known.template, known.conditions)
 
 

@@ -9,12 +9,14 @@ converted, whatever scene uses it: what is not rendered in bands looks as before
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterable
 
 import bpy
 
+from ..blender import animation
 from ..blender.space import of_file
 from ..core.space import REC709, conversion, converted
+from . import films
 from .attributes import CENTRE_NM, HALF_WIDTH_NM
 from .described import EMISSION, REFLECTANCE, Described, SpectrumError
 from .groups import (
@@ -25,9 +27,8 @@ from .groups import (
     spectrum_group,
     upsampling_group,
 )
-from .marks import BEFORE, LUMINANCE, MADE, is_ours, trees
-
-LINKED = "is linked from another file; stays RGB"
+from .marks import BEFORE, LUMINANCE, MADE, is_ours, is_spectral, trees
+from .report import LINKED, Remark, Report
 
 ROLES: dict[str, dict[str, str]] = {
     "BSDF_PRINCIPLED": {
@@ -75,28 +76,10 @@ _STRENGTH = {"Emission Color": "Emission Strength"}
 _GREY = 1e-6
 
 
-@dataclass(frozen=True)
-class Remark:
-    """Something that stays RGB: of which block of data, and what."""
-
-    kind: str  # "material", "lamp", "world", "node group"
-    name: str
-    text: str
-
-    @property
-    def where(self) -> str:
-        return f"{self.kind} {self.name}"
-
-
-@dataclass
-class Report:
-    spectra: int = 0
-    remarks: list[Remark] = field(default_factory=list)
-
-
 def make_spectral() -> Report:
     """Everything of the file that is its own; what is spectral already stays as it is."""
     report = Report()
+    _convert_films(trees(), report)
     for light in bpy.data.lights:
         _convert_lamp(light, report)
     for kind, owners in (("world", bpy.data.worlds), ("material", bpy.data.materials)):
@@ -114,6 +97,16 @@ def make_spectral() -> Report:
     return report
 
 
+def follow(material: bpy.types.Material) -> None:
+    """One that was just assigned or rebuilt, where colours have spectra already."""
+    if not is_spectral() or material.library is not None:
+        return
+    report, tree = Report(), material.node_tree
+    films.forget_former(material)
+    _convert_films([tree], report)
+    _convert_tree(tree, "material", material.name, report)
+
+
 def make_rgb() -> int:
     """All that `make_spectral` put in is taken out again. Returns how many spectra that were."""
     count = 0
@@ -126,6 +119,8 @@ def make_rgb() -> int:
             light.color = tuple(light[MADE]["color"])
             light.use_nodes = bool(light[MADE]["use_nodes"])
             del light[MADE]
+    for tree in trees():
+        films.use_former(tree)
     for group in [group for group in bpy.data.node_groups if is_ours(group)]:
         if group.users == 0:
             bpy.data.node_groups.remove(group)
@@ -194,7 +189,8 @@ def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
     before = {"color": list(light.color), "use_nodes": light.use_nodes}
     light.use_nodes = True
     emissions = [node for node in light.node_tree.nodes if node.type == "EMISSION"]
-    plain = len(emissions) == 1 and not emissions[0].inputs["Color"].is_linked
+    changes = animation.is_property_animated(light, "color")
+    plain = len(emissions) == 1 and _is_constant(emissions[0].inputs["Color"]) and not changes
     if plain:
         socket = emissions[0].inputs["Color"]
         product = [a * b for a, b in zip(light.color, socket.default_value, strict=False)]
@@ -202,7 +198,7 @@ def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
         light.color = (1.0, 1.0, 1.0)
         report.spectra += 1
     else:
-        if not _is_grey(light.color):
+        if changes or not _is_grey(light.color):
             report.remarks.append(
                 Remark("lamp", light.name, "its own colour, on top of its nodes, stays RGB")
             )
@@ -210,11 +206,27 @@ def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
     light[MADE] = before
 
 
+def _is_constant(socket: bpy.types.NodeSocket) -> bool:
+    return not socket.is_linked and not animation.is_animated(socket)
+
+
+def _convert_films(users: Iterable[bpy.types.NodeTree], report: Report) -> None:
+    """Before what they are used in, since their own colours then meet tables in bands."""
+    for tree in users:
+        films.use_nodes(tree, report)
+        for node in tree.nodes:
+            group = node.node_tree if node.type == "GROUP" else None
+            if group is not None and group.library is None and films.has_tables(group):
+                films.convert(group, report)
+
+
 def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Report) -> None:
+    if films.is_banded(tree):
+        return
     for node in list(tree.nodes):
         if node.type == "SCRIPT" and any(output.type == "SHADER" for output in node.outputs):
             report.remarks.append(Remark(kind, owner, f"{node.name}: a shader in OSL; stays RGB"))
-        for name, role in ROLES.get(node.type, {}).items():
+        for name, role in _roles(node).items():
             socket = node.inputs.get(name)
             if socket is None or not _is_needed(node, socket, role):
                 continue
@@ -223,8 +235,19 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
                     Remark(kind, owner, f"{node.name}: {name}: its link is muted; stays RGB")
                 )
                 continue
+            if not _is_constant(socket) and not socket.is_linked and animation.is_shared(tree):
+                text = f"{node.name}: {name}: shares its keyframes with other data; stays RGB"
+                report.remarks.append(Remark(kind, owner, text))
+                continue
             _put_in(tree, socket, role, None)
             report.spectra += 1
+
+
+def _roles(node: bpy.types.Node) -> dict[str, str]:
+    """Colours of a film's own, of a matt base under it, meet light as tables have it."""
+    if node.type == "GROUP" and node.node_tree is not None and films.is_banded(node.node_tree):
+        return {socket.name: REFLECTANCE for socket in node.inputs if socket.type == "RGBA"}
+    return ROLES.get(node.type, {})
 
 
 def _is_needed(node: bpy.types.Node, socket: bpy.types.NodeSocket, role: str) -> bool:
@@ -233,6 +256,8 @@ def _is_needed(node: bpy.types.Node, socket: bpy.types.NodeSocket, role: str) ->
         source = socket.links[0].from_node
         group = source.node_tree if source.type == "GROUP" else None
         return group is None or not is_ours(group)
+    if animation.is_animated(socket):
+        return True
     colour = socket.default_value[:3]
     if role == REFLECTANCE:
         return not _is_grey(colour)
@@ -253,6 +278,10 @@ def _put_in(
     if socket.is_linked:
         node.node_tree = upsampling_group(_OF_MIXTURE[role])
         tree.links.new(socket.links[0].from_socket, node.inputs["Color"])
+    elif animation.is_animated(socket):
+        node.node_tree = upsampling_group(_OF_MIXTURE[role])
+        node.inputs["Color"].default_value = socket.default_value
+        animation.move(socket, node.inputs["Color"])
     else:
         given = tuple(socket.default_value) if colour is None else colour
         _fill(node, role, given)
@@ -303,4 +332,7 @@ def _take_out(tree: bpy.types.NodeTree, node: bpy.types.Node) -> None:
     if source.is_linked:
         for link in list(node.outputs[0].links):
             tree.links.new(source.links[0].from_socket, link.to_socket)
+    else:
+        for link in node.outputs[0].links:
+            animation.move(source, link.to_socket)
     tree.nodes.remove(node)

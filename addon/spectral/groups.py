@@ -37,10 +37,10 @@ def spectrum_group(spectrum: Described) -> bpy.types.NodeTree:
     sockets.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
     formula = Formula(group)
     inputs = formula.node("NodeGroupInput").outputs
-    chosen = _choice(
+    chosen = choice(
         formula, (*rgb_of(spectrum), 1.0), attributes.triple(formula, spectrum.attribute)
     )
-    _end(formula, formula.scaled(chosen, inputs[LUMINANCE]) if LUMINANCE in inputs else chosen)
+    end(formula, formula.scaled(chosen, inputs[LUMINANCE]) if LUMINANCE in inputs else chosen)
     return group
 
 
@@ -71,7 +71,7 @@ def upsampling_group(name: str) -> bpy.types.NodeTree:
         banded = formula.vector("MULTIPLY", banded, daylight)
     if "Scale" in inputs:
         banded = formula.scaled(banded, inputs["Scale"])
-    _end(formula, _choice(formula, inputs["Color"], banded))
+    end(formula, choice(formula, inputs["Color"], banded))
     return group
 
 
@@ -103,7 +103,7 @@ def _mixture(formula: Formula, colour: bpy.types.NodeSocket) -> bpy.types.NodeSo
     return total
 
 
-def _choice(formula: Formula, rgb: Operand, banded: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
+def choice(formula: Formula, rgb: Operand, banded: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
     """One where RGB is rendered, the other where bands are."""
     mix = formula.node("ShaderNodeMix", data_type="RGBA")
     factor, a, b = (socket for socket in mix.inputs if socket.enabled)
@@ -113,7 +113,7 @@ def _choice(formula: Formula, rgb: Operand, banded: bpy.types.NodeSocket) -> bpy
     return next(socket for socket in mix.outputs if socket.enabled)
 
 
-def _end(formula: Formula, result: bpy.types.NodeSocket) -> None:
+def end(formula: Formula, result: bpy.types.NodeSocket) -> None:
     formula.put(result, formula.node("NodeGroupOutput").inputs["Color"])
 
 

@@ -5,14 +5,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 import nacre
 
 from ..core.faults import ForeseenError
-from .attributes import BASIS, IS_SPECTRAL, WAVELENGTHS, Values, polynomial_variable
+from .attributes import BASIS, IS_SPECTRAL, PASS, PASSES, WAVELENGTHS, Values, polynomial_variable
 from .described import DAYLIGHT, EMISSION, Described
 
 
@@ -27,6 +28,8 @@ class Plan:
     bands: nacre.Bands
     values: dict[str, np.ndarray]
     choice: nacre.BandChoice | None = None
+    kept: dict[Any, Any] = field(default_factory=dict, repr=False, compare=False)
+    """What is made for it once, of all frames."""
 
     @property
     def passes(self) -> int:
@@ -43,6 +46,8 @@ class Plan:
         variables = [polynomial_variable(self.bands.wavelength_nm[k]) for k in indices]
         return {
             IS_SPECTRAL: 1.0,
+            PASS: float(number),
+            PASSES: float(self.passes),
             WAVELENGTHS: variables,
             **{name: [float(of_all[k]) for k in indices] for name, of_all in self.values.items()},
         }

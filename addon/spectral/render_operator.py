@@ -61,12 +61,14 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
 
     @reports_errors
     def execute(self, context):
-        from . import groups, plan, rendering
+        from . import films, groups, plan, rendering
 
         path = Path(bpy.path.abspath(self.filepath)).absolute().with_suffix(".exr")
         output.check([path])
         scene = context.scene
-        made = plan.make(groups.found_spectra(), -(-self.bands // 3) or None)
+        made = plan.make(
+            groups.found_spectra(), -(-self.bands // 3) or None, films_nm=films.thicknesses_nm()
+        )
         samples, denoise = scene.cycles.samples, scene.cycles.use_denoising
         passes = rendering.beside(path, scene, made, samples, denoise=denoise)
         passes.begin(resume=True)

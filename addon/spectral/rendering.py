@@ -18,7 +18,7 @@ from ..blender.denoise import denoised
 from ..blender.space import of_file
 from ..core import exr, spectral_image
 from ..core.whole_file import write_whole
-from . import attributes
+from . import attributes, films
 from .described import DAYLIGHT
 from .plan import Plan, in_bands
 
@@ -64,7 +64,8 @@ def prepared(
     try:
         for owner, name, value in wanted:
             setattr(owner, name, value)
-        yield
+        with films.in_bands(plan):
+            yield
     finally:
         for owner, name, value in reversed(before):
             setattr(owner, name, value)
@@ -128,6 +129,7 @@ def beside(
         "values": {
             name: [float(value) for value in of_all] for name, of_all in plan.values.items()
         },
+        "films": films.digest(),
         "samples": samples,
         "denoise": denoise,
         "seed": scene.cycles.seed,

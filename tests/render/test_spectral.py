@@ -15,40 +15,14 @@ import nacre
 from nacre import library
 from support.colours import delta_e as support_delta_e
 from support.images import read_channels, read_image
+from support.spectral import delta_e, light_at, observer_at, read_spectral, reflectance_at
 
-FINE = 360.05 + 0.1 * np.arange(4700)
 LIGHTS = ["D65", "A", "F2", "F11", "LED-B3", "lamp/hps", "line:462@1,532@0.8,638@1.2"]
 CHART = [key for key in library.keys("spectra") if key.startswith("colorchecker/")]
 SIZE = 4
 """Pixels of a patch."""
 COUNT = 200 if os.environ.get("NACRE_SOAK") else 40
 """Of materials that chance makes."""
-
-
-def observer_at(nm):
-    cmfs = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
-    cmfs = cmfs.copy().align(colour.SpectralShape(360, 830, 1))
-    return np.stack([np.interp(nm, cmfs.wavelengths, cmfs.values[:, c]) for c in range(3)], -1)
-
-
-def light_at(name):
-    """Wavelengths and power of each."""
-    if name.startswith("line:"):
-        pairs = [part.split("@") for part in name.removeprefix("line:").split(",")]
-        return tuple(np.array(column, dtype=float) for column in zip(*pairs, strict=True))
-    if name.startswith("lamp/"):
-        lamp = library.spectrum(name)
-        return FINE, np.interp(FINE, lamp.wavelength_nm, lamp.values)
-    name = f"FL{name[1:]}" if name.startswith("F") else name
-    lamp = colour.SDS_ILLUMINANTS[name]
-    return FINE, np.interp(FINE, lamp.wavelengths, lamp.values)
-
-
-def reflectance_at(key, nm):
-    patch = library.spectrum(key)
-    samples = colour.SpectralDistribution(patch.values, patch.wavelength_nm)
-    fine = samples.align(colour.SpectralShape(360, 830, 1)).values
-    return np.interp(nm, np.arange(360, 831), fine)
 
 
 def exact(light):
@@ -58,21 +32,6 @@ def exact(light):
     white = seen.sum(axis=0)
     chart = np.array([reflectance_at(key, nm) @ seen for key in CHART])
     return chart / white[1], white / white[1]
-
-
-def delta_e(a, b, white):
-    xy = colour.XYZ_to_xy(white)
-    return colour.delta_E(colour.XYZ_to_Lab(a, xy), colour.XYZ_to_Lab(b, xy))
-
-
-def read_spectral(file):
-    """XYZ of RGB, and how many bands there are."""
-    buffer = oiio.ImageBuf(str(file))
-    names = buffer.spec().channelnames
-    pixels = buffer.get_pixels(oiio.FLOAT)
-    rgb = pixels[..., [names.index(name) for name in "RGB"]]
-    xyz = rgb @ colour.RGB_COLOURSPACES["sRGB"].matrix_RGB_to_XYZ.T
-    return xyz, sum(name.startswith("S0.") for name in names)
 
 
 @pytest.fixture(scope="module")

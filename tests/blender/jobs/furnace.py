@@ -150,17 +150,23 @@ def seen_by_the_camera_alone(sphere: bpy.types.Object) -> None:
         setattr(sphere, f"visible_{way}", False)
 
 
-def atlas(**job) -> None:
+def atlas_scene(job: dict) -> bpy.types.Scene:
     stage = extension.module("background.scenes").build_stage("furnace")
     scene, columns = stage.scene, job["columns"]
     rows = math.ceil(len(job["cells"]) / columns)
     scene.camera.data.ortho_scale = 2.0 * max(columns, rows)
     for at, cell in enumerate(job["cells"]):
         before = set(scene.objects)
-        stage.place(film(scene, {"form": job["form"], **cell}))
+        stage.place(film(scene, {"form": job.get("form"), **cell}))
         (sphere,) = set(scene.objects) - before
         row, column = divmod(at, columns)
         sphere.location = (2 * column - columns + 1, rows - 1 - 2 * row, 0)
         seen_by_the_camera_alone(sphere)
     keep_all_light(scene)
+    return scene
+
+
+def atlas(**job) -> None:
+    scene, columns = atlas_scene(job), job["columns"]
+    rows = math.ceil(len(job["cells"]) / columns)
     render_picture(scene, columns * job["size"], rows * job["size"], job["samples"], job["file"])

@@ -11,7 +11,8 @@ from random import Random
 import bpy
 
 from . import extension
-from .furnace import film as furnace_film
+from .furnace import atlas_scene as furnace_atlas
+from .furnace import light_by_depth
 from .pictures import empty_scene, render_picture
 
 
@@ -107,8 +108,8 @@ def rendered(
     scene: bpy.types.Scene, file: str, samples: int, passes: int, *, denoise: bool = False
 ) -> dict:
     plan = extension.module("spectral.plan")
-    groups = extension.module("spectral.groups")
-    made = plan.make(groups.found_spectra(), passes or None)
+    groups, films = extension.module("spectral.groups"), extension.module("spectral.films")
+    made = plan.make(groups.found_spectra(), passes or None, films_nm=films.thicknesses_nm())
     rendering = extension.module("spectral.rendering")
     kept = rendering.beside(Path(file), scene, made, samples, denoise=denoise)
     kept.begin(resume=False)
@@ -218,17 +219,43 @@ def box(*, folder: str, size: int, samples: int, passes: int) -> dict:
     }
 
 
-def film(*, material: str, folder: str, size: int, samples: int, passes: int) -> dict:
-    """A sphere of a film under white, in RGB (before.exr) and in bands (bands.exr)."""
-    convert = extension.module("spectral.convert")
+def films(
+    *, cells: list, columns: int, folder: str, size: int, samples: int, lit: str, light: str = "",
+    passes: int = 0,
+) -> dict:  # fmt: skip
+    """Spheres of films under white, as an atlas of the furnace: in RGB (before.exr), in bands under white
+    or a light (bands.exr), and with everything undone (after.exr). `lit`: as of the furnace."""
+    convert, described = (
+        extension.module("spectral.convert"),
+        extension.module("spectral.described"),
+    )
     bpy.ops.wm.read_homefile(use_empty=True)
-    stage = extension.module("background.scenes").build_stage("furnace")
-    stage.place(furnace_film(stage.scene, {"material": material, "form": "nodes", "values": {}}))
-    before, bands = (str(Path(folder) / f"{name}.exr") for name in ("before", "bands"))
-    render_picture(stage.scene, size, size, samples, before)
+    scene = furnace_atlas({"cells": cells, "columns": columns})
+    if lit == "reflected":
+        light_by_depth(scene.world, 0)
+    width, height = columns * size, -(-len(cells) // columns) * size
+    places = {name: str(Path(folder) / f"{name}.exr") for name in ("before", "bands", "after")}
+    render_picture(scene, width, height, samples, places["before"])
+
+    def blocks() -> list[str]:
+        used = [image.name for image in bpy.data.images if image.users]
+        return sorted([group.name for group in bpy.data.node_groups] + used)
+
+    blocks_before = blocks()
     report = convert.make_spectral()
-    said = rendered(stage.scene, bands, samples, passes)
-    return {**said, "remarks": [[remark.where, remark.text] for remark in report.remarks]}
+    if light:
+        convert.give_world(scene.world, described.Described.named(light))
+    said = rendered(scene, places["bands"], samples, passes)
+    removed = convert.make_rgb()
+    render_picture(scene, width, height, samples, places["after"])
+    return {
+        **said,
+        "spectra": report.spectra,
+        "removed": removed,
+        "remarks": [[remark.where, remark.text] for remark in report.remarks],
+        "blocks_before": blocks_before,
+        "blocks": blocks(),
+    }
 
 
 def settings(*, folder: str, size: int, samples: int, passes: int) -> dict:

@@ -1,0 +1,286 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Films where bands are rendered: beside each table of colours one of reflectances, which has all passes
+below each other, and is there while they are rendered. The pass moves the place at which it is read."""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import bpy
+import numpy as np
+
+from ..blender.formula import Formula
+from ..core.faults import ForeseenError
+from ..core.form import NODES, OSL
+from ..core.library import Library
+from ..core.manifest import CompiledMaterial, ManifestError
+from ..materials import group as groups
+from ..materials.image import SIZE, TABLE, table_pixels
+from ..materials.material import group_node
+from ..materials.recipe import RecipeError, compile_recipe, recipe, recipe_of_group
+from . import attributes
+from .groups import choice, end
+from .marks import BANDED, BEFORE, FORMER, MADE
+from .plan import Plan
+from .report import Remark, Report
+
+_TABLE = "table"
+"""Name of the node that reads the picture of all passes."""
+
+
+class FilmError(ForeseenError):
+    """A film cannot be rendered in bands."""
+
+
+def has_tables(tree: bpy.types.NodeTree) -> bool:
+    """Whether a group is that of a film: of ours, and reads tables."""
+    return groups.MATERIAL in tree and any(_tables(tree))
+
+
+def is_banded(tree: bpy.types.NodeTree) -> bool:
+    """Whether its tables are read in bands."""
+    return groups.MATERIAL in tree and any(_banded(tree))
+
+
+def convert(tree: bpy.types.NodeTree, report: Report) -> None:
+    """Tables that are read in bands already are left alone, as are films in OSL."""
+    if tree.get(groups.FORM) != NODES:
+        return
+    try:
+        recipe_of_group(tree, tree.name)
+    except (RecipeError, ManifestError) as error:
+        text = f"{error}; its colours are taken for mixtures of three spectra"
+        report.remarks.append(Remark("node group", tree.name, text))
+        return
+    for node in list(_tables(tree)):
+        output = node.outputs["Color"]
+        targets = [link.to_socket for link in output.links]
+        if any(BEFORE in target.node.inputs and MADE in target.node for target in targets):
+            continue
+        banded = tree.nodes.new("ShaderNodeGroup")
+        banded[MADE] = True
+        banded.location = (node.location.x + 40.0, node.location.y - 60.0)
+        banded.hide = True
+        banded.node_tree = _reader(tree, node.image)
+        tree.links.new(output, banded.inputs[BEFORE])
+        tree.links.new(node.inputs["Vector"].links[0].from_socket, banded.inputs["Vector"])
+        for target in targets:
+            tree.links.new(banded.outputs["Color"], target)
+        report.spectra += 1
+
+
+def _tables(tree: bpy.types.NodeTree) -> Iterator[bpy.types.ShaderNodeTexImage]:
+    for node in tree.nodes:
+        if node.type == "TEX_IMAGE" and node.image is not None and TABLE in node.image:
+            yield node
+
+
+def _banded(tree: bpy.types.NodeTree) -> Iterator[bpy.types.ShaderNodeGroup]:
+    for node in tree.nodes:
+        if node.type == "GROUP" and node.node_tree is not None and BANDED in node.node_tree:
+            yield node
+
+
+def _reader(tree: bpy.types.NodeTree, image: bpy.types.Image) -> bpy.types.NodeTree:
+    """*Before* without bands; else what the table of all passes has at *Vector*, in its pass."""
+    for node in _banded(tree):
+        if node.node_tree[BANDED] == image[TABLE]:
+            return node.node_tree
+    reader = bpy.data.node_groups.new(f"Bands of {image.name}"[:63], "ShaderNodeTree")
+    reader[BANDED] = image[TABLE]
+    for name, kind in ((BEFORE, "Color"), ("Vector", "Vector")):
+        reader.interface.new_socket(name, in_out="INPUT", socket_type=f"NodeSocket{kind}")
+    reader.interface.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
+    formula = Formula(reader)
+    inputs = formula.node("NodeGroupInput").outputs
+    place = formula.node("ShaderNodeSeparateXYZ")
+    formula.put(inputs["Vector"], place.inputs[0])
+    edge = 0.5 / _height(image)  # centres of the outer rows: nothing of another pass is mixed in
+    below = formula.number("MINIMUM", formula.number("MAXIMUM", place.outputs[1], edge), 1.0 - edge)
+    row = formula.number("ADD", attributes.number(formula, attributes.PASS), below)
+    v = formula.number("DIVIDE", row, attributes.number(formula, attributes.PASSES))
+    moved = formula.node("ShaderNodeCombineXYZ")
+    formula.put(place.outputs[0], moved.inputs[0])
+    formula.put(v, moved.inputs[1])
+    table = formula.node("ShaderNodeTexImage", interpolation="Linear", extension="EXTEND")
+    table.name = _TABLE
+    formula.put(moved.outputs[0], table.inputs["Vector"])
+    end(formula, choice(formula, inputs[BEFORE], table.outputs["Color"]))
+    return reader
+
+
+def _height(image: bpy.types.Image) -> int:
+    return int(image.get(SIZE, image.size)[1])
+
+
+def use_nodes(tree: bpy.types.NodeTree, report: Report) -> None:
+    """Films in OSL get their form in nodes, which has the same sockets; what is in OSL is kept for
+    `use_former`."""
+    for node in tree.nodes:
+        group = node.node_tree if node.type == "GROUP" else None
+        if group is None or group.get(groups.FORM) != OSL or not has_tables(group):
+            continue
+        if group.library is not None:
+            continue  # convert() says why it stays
+        try:
+            in_nodes = groups.material_group(_compiled(group), NODES)
+        except (RecipeError, ManifestError) as error:
+            report.remarks.append(Remark("node group", group.name, f"{error}; stays RGB"))
+            continue
+        if groups.socket_identifiers(in_nodes) != groups.socket_identifiers(group):
+            report.remarks.append(
+                Remark("node group", group.name, "its inputs were changed; stays RGB")
+            )
+            continue
+        node[FORMER] = group
+        node.node_tree = in_nodes
+
+
+def _compiled(group: bpy.types.NodeTree) -> CompiledMaterial:
+    """From the library, where that is what the group was made of. Raises RecipeError, ManifestError."""
+    with contextlib.suppress(ManifestError):
+        known = Library.default().load(group[groups.MATERIAL])
+        if known.digest == group.get(groups.DIGEST):
+            return known
+    return compile_recipe(recipe_of_group(group, group.name), group.name)
+
+
+def use_former(tree: bpy.types.NodeTree) -> None:
+    for node in tree.nodes:
+        former = node.get(FORMER)
+        if former is None:
+            continue
+        in_nodes, node.node_tree = node.node_tree, former
+        del node[FORMER]
+        if in_nodes.users == 0:
+            images = {inner.image for inner in _tables(in_nodes)}
+            bpy.data.node_groups.remove(in_nodes)
+            for image in images:
+                if image.users == 0:
+                    bpy.data.images.remove(image)
+
+
+def forget_former(material: bpy.types.Material) -> None:
+    """Of a film that has become another one."""
+    node = group_node(material)
+    if node is not None and FORMER in node:
+        del node[FORMER]
+
+
+@dataclass(frozen=True)
+class Film:
+    """A group whose tables are read in bands, and what it is made from at present."""
+
+    tree: bpy.types.ShaderNodeTree
+    template: str
+
+    @property
+    def sizes(self) -> dict[str, tuple[int, int]]:
+        """(height, width) by table."""
+        found = {}
+        for node in _banded(self.tree):
+            image = node.inputs[BEFORE].links[0].from_node.image
+            width, height = image.get(SIZE, image.size)
+            found[image[TABLE]] = (int(height), int(width))
+        return found
+
+    @property
+    def optical_thickness_nm(self) -> float:
+        import nacre
+
+        try:
+            return nacre.optical_thickness(self.template, self.tree.name)
+        except nacre.NacreError as error:
+            raise FilmError(str(error)) from error
+
+
+def films() -> list[Film]:
+    """All of the file that are in use."""
+    edited = {}
+    for material in bpy.data.materials:
+        node = group_node(material)
+        if node is not None and is_banded(node.node_tree):
+            edited[node.node_tree] = recipe(material).template
+    return [
+        Film(tree, edited.get(tree) or recipe_of_group(tree, tree.name).template)
+        for tree in bpy.data.node_groups
+        if tree.users and is_banded(tree)
+    ]
+
+
+def thicknesses_nm() -> tuple[float, ...]:
+    """What bands are chosen by. Raises FilmError."""
+    return tuple(sorted({film.optical_thickness_nm for film in films()} - {0.0}))
+
+
+def digest() -> str:
+    """Of what all films are made from."""
+    found = hashlib.sha256()
+    for film in sorted(films(), key=lambda film: film.tree.name):
+        found.update(f"{film.tree.name}\0{film.template}\0".encode())
+    return found.hexdigest()
+
+
+@contextlib.contextmanager
+def in_bands(plan: Plan) -> Iterator[None]:
+    """Tables of all passes are in place. Raises FilmError."""
+    made: list[bpy.types.Image] = []
+    seen: set[bpy.types.NodeTree] = set()
+    try:
+        for film in films():
+            seen |= _readers_of_its_own(film.tree, seen)
+            for name, texels in _tables_of_passes(film, plan).items():
+                image = _as_image(texels, f"{film.tree.name} {name} in bands")
+                made.append(image)
+                for node in _banded(film.tree):
+                    if node.node_tree[BANDED] == name:
+                        node.node_tree.nodes[_TABLE].image = image
+        yield
+    finally:
+        for image in made:  # nodes that have it have none then
+            bpy.data.images.remove(image)
+
+
+def _readers_of_its_own(
+    tree: bpy.types.NodeTree, others: set[bpy.types.NodeTree]
+) -> set[bpy.types.NodeTree]:
+    """Groups that read its tables; one that was copied shares them with what it is a copy of."""
+    copies: dict[bpy.types.NodeTree, bpy.types.NodeTree] = {}
+    for node in _banded(tree):
+        if node.node_tree in others:
+            shared = node.node_tree
+            copies.setdefault(shared, None)
+            copies[shared] = copies[shared] or shared.copy()
+            node.node_tree = copies[shared]
+    return {node.node_tree for node in _banded(tree)}
+
+
+def _tables_of_passes(film: Film, plan: Plan) -> dict[str, np.ndarray]:
+    """(P, height, width, 3) by table; computed once for all frames of a plan."""
+    import nacre
+
+    sizes = film.sizes
+    key = (film.template, tuple(sorted(sizes.items())))
+    if key not in plan.kept:
+        passes = [plan.indices(number) for number in range(plan.passes)]
+        try:
+            plan.kept[key] = nacre.band_tables(
+                film.template, plan.bands, passes, sizes, film.tree.name
+            )
+        except nacre.NacreError as error:
+            raise FilmError(str(error)) from error
+    return plan.kept[key]
+
+
+def _as_image(texels: np.ndarray, name: str) -> bpy.types.Image:
+    """The first pass at the bottom, where v begins."""
+    passes, height, width, _ = texels.shape
+    image = bpy.data.images.new(name, width, passes * height, float_buffer=True, is_data=True)
+    image.alpha_mode = "NONE"
+    image.pixels.foreach_set(table_pixels(texels[::-1].reshape(passes * height, width, 3)))
+    image.update()
+    return image

@@ -1,0 +1,55 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""Observer, lights and surfaces at 0.1 nm, by colour-science."""
+
+from __future__ import annotations
+
+import colour
+import numpy as np
+import OpenImageIO as oiio
+
+from nacre import library
+
+FINE = 360.05 + 0.1 * np.arange(4700)
+
+
+def observer_at(nm):
+    cmfs = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
+    cmfs = cmfs.copy().align(colour.SpectralShape(360, 830, 1))
+    return np.stack([np.interp(nm, cmfs.wavelengths, cmfs.values[:, c]) for c in range(3)], -1)
+
+
+def light_at(name):
+    """Wavelengths and power of each."""
+    if name.startswith("line:"):
+        pairs = [part.split("@") for part in name.removeprefix("line:").split(",")]
+        return tuple(np.array(column, dtype=float) for column in zip(*pairs, strict=True))
+    if name.startswith("lamp/"):
+        lamp = library.spectrum(name)
+        return FINE, np.interp(FINE, lamp.wavelength_nm, lamp.values)
+    name = f"FL{name[1:]}" if name.startswith("F") else name
+    lamp = colour.SDS_ILLUMINANTS[name]
+    return FINE, np.interp(FINE, lamp.wavelengths, lamp.values)
+
+
+def reflectance_at(key, nm):
+    patch = library.spectrum(key)
+    samples = colour.SpectralDistribution(patch.values, patch.wavelength_nm)
+    fine = samples.align(colour.SpectralShape(360, 830, 1)).values
+    return np.interp(nm, np.arange(360, 831), fine)
+
+
+def delta_e(a, b, white):
+    """CIEDE2000 of XYZ, relative to a white of Y = 1."""
+    xy = colour.XYZ_to_xy(white)
+    return colour.delta_E(colour.XYZ_to_Lab(a, xy), colour.XYZ_to_Lab(b, xy))
+
+
+def read_spectral(file):
+    """XYZ of RGB, and how many bands there are."""
+    buffer = oiio.ImageBuf(str(file))
+    names = buffer.spec().channelnames
+    pixels = buffer.get_pixels(oiio.FLOAT)
+    rgb = pixels[..., [names.index(name) for name in "RGB"]]
+    xyz = rgb @ colour.RGB_COLOURSPACES["sRGB"].matrix_RGB_to_XYZ.T
+    return xyz, sum(name.startswith("S0.") for name in names)
