@@ -88,8 +88,9 @@ def make_spectral() -> Report:
                 report.remarks.append(Remark(kind, owner.name, LINKED))
             elif owner.use_nodes and owner.node_tree is not None:
                 _convert_tree(owner.node_tree, kind, owner.name, report)
+    laid_by = films.formers()
     for group in bpy.data.node_groups:
-        if group.bl_idname == "ShaderNodeTree" and not is_ours(group):
+        if group.bl_idname == "ShaderNodeTree" and not is_ours(group) and group not in laid_by:
             if group.library is not None:
                 report.remarks.append(Remark("node group", group.name, LINKED))
             else:

@@ -24,7 +24,7 @@ from ..materials.material import group_node
 from ..materials.recipe import RecipeError, compile_recipe, recipe, recipe_of_group
 from . import attributes
 from .groups import choice, end
-from .marks import BANDED, BEFORE, FORMER, MADE
+from .marks import BANDED, BEFORE, FORMER, MADE, trees
 from .plan import Plan
 from .report import Remark, Report
 
@@ -162,6 +162,12 @@ def use_former(tree: bpy.types.NodeTree) -> None:
             for image in images:
                 if image.users == 0:
                     bpy.data.images.remove(image)
+
+
+def formers() -> set[bpy.types.NodeTree]:
+    """Groups in OSL that wait for `use_former` and are in use nowhere."""
+    nodes = [node for tree in trees() for node in tree.nodes if node.type == "GROUP"]
+    return {node[FORMER] for node in nodes if FORMER in node} - {node.node_tree for node in nodes}
 
 
 def forget_former(material: bpy.types.Material) -> None:

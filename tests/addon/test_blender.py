@@ -108,3 +108,8 @@ def test_osl_asks_for_no_file_without_a_name(blender, tmp_path):
 
 def test_spectral_scene_and_back(blender, tmp_path):
     blender.script("spectral/scene", tmp_path)
+
+
+def test_films_and_keyframes_in_a_spectral_file(blender, tmp_path):
+    blender = blender.with_materials("oil_on_water", "tempered_steel")
+    blender.script("spectral/films", tmp_path)
