@@ -46,9 +46,9 @@ class Prepared:
         passes.begin(resume=options.resume)
         missing = passes.missing()
         self.taken_over += plan.passes - len(missing)
-        with rendering.prepared(scene, plan, samples, denoise=options.denoise):
+        with rendering.prepared(scene, plan, samples, denoise=options.denoise) as begin:
             for number in missing:
-                rendering.begin_pass(scene, plan, number)
+                begin(number)
                 label = f"{paths[0].name} {number + 1}/{plan.passes}"
                 with console.Complaints(options.quiet), console.Progress(label, options.quiet):
                     bpy.ops.render.render(scene=scene.name)

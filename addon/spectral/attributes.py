@@ -14,8 +14,8 @@ PREFIX = "nacre_s_"
 """Of the name of each spectrum's property: its values in the three bands of a pass."""
 IS_SPECTRAL = "nacre_spectral"
 """1 while bands are rendered; without it colours are RGB."""
-PASS, PASSES = "nacre_pass", "nacre_passes"
-"""The number of a pass, from 0, and how many there are."""
+PASS = "nacre_pass"
+"""The number of a pass, from 0."""
 CENTRE_NM, HALF_WIDTH_NM = 595.0, 235.0
 """The variable of polynomials of upsampled colours is −1 at 360 nm and 1 at 830 nm."""
 WAVELENGTHS = "nacre_wavelengths"
@@ -44,7 +44,7 @@ def take_away(owner: Owner) -> None:
 
 
 def _is_ours(name: str) -> bool:
-    return name in (IS_SPECTRAL, PASS, PASSES, WAVELENGTHS, *BASIS) or name.startswith(PREFIX)
+    return name in (IS_SPECTRAL, PASS, WAVELENGTHS, *BASIS) or name.startswith(PREFIX)
 
 
 def triple(formula: Formula, name: str) -> bpy.types.NodeSocket:

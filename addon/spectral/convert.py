@@ -27,7 +27,7 @@ from .groups import (
     spectrum_group,
     upsampling_group,
 )
-from .marks import BEFORE, LUMINANCE, MADE, is_ours, is_spectral, trees
+from .marks import BEFORE, LUMINANCE, MADE, is_ours, trees
 from .report import LINKED, Remark, Report
 
 ROLES: dict[str, dict[str, str]] = {
@@ -100,7 +100,7 @@ def make_spectral() -> Report:
 
 def follow(material: bpy.types.Material) -> None:
     """One that was just assigned or rebuilt, where colours have spectra already."""
-    if not is_spectral() or material.library is not None:
+    if material.library is not None:
         return
     report, tree = Report(), material.node_tree
     films.forget_former(material)

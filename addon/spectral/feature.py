@@ -4,13 +4,19 @@
 
 from __future__ import annotations
 
+import bpy
+
 from ..blender.parts import Forgotten, Joined
+from ..core.computation import library_problem
 from ..materials import material as made
 from ..materials import menu
-from . import operators, panel, render_operator
+from . import marks, operators, panel, render_operator
 
 
-def _follow(material) -> None:
+def _follow(material: bpy.types.Material) -> None:
+    """Where the library is missing, a file that is spectral already waits for *Include What Is New*."""
+    if not marks.is_spectral() or library_problem():
+        return
     from . import convert
 
     convert.follow(material)

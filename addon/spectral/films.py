@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import bpy
@@ -28,8 +28,11 @@ from .marks import BANDED, BEFORE, FORMER, MADE, trees
 from .plan import Plan
 from .report import Remark, Report
 
-_TABLE = "table"
-"""Name of the node that reads the picture of all passes."""
+_TABLE, _COLUMNS, _ROWS, _STACKED = "table", "columns", "rows", "stacked"
+"""Names of the nodes that read the picture of all passes, and that say how they lie in it: the last is 0
+where it has one pass alone."""
+MOST_TEXELS = 16384
+"""Along an axis, of what every GPU that Blender runs on takes."""
 
 
 class FilmError(ForeseenError):
@@ -99,13 +102,19 @@ def _reader(tree: bpy.types.NodeTree, image: bpy.types.Image) -> bpy.types.NodeT
     inputs = formula.node("NodeGroupInput").outputs
     place = formula.node("ShaderNodeSeparateXYZ")
     formula.put(inputs["Vector"], place.inputs[0])
-    edge = 0.5 / _height(image)  # centres of the outer rows: nothing of another pass is mixed in
-    below = formula.number("MINIMUM", formula.number("MAXIMUM", place.outputs[1], edge), 1.0 - edge)
-    row = formula.number("ADD", attributes.number(formula, attributes.PASS), below)
-    v = formula.number("DIVIDE", row, attributes.number(formula, attributes.PASSES))
+    columns, rows, stacked = (_number(formula, name) for name in (_COLUMNS, _ROWS, _STACKED))
+    number = formula.number("MULTIPLY", attributes.number(formula, attributes.PASS), stacked)
+    column = formula.number(
+        "FLOOR", formula.number("DIVIDE", formula.number("ADD", number, 0.5), rows)
+    )
+    row = formula.number("SUBTRACT", number, formula.number("MULTIPLY", column, rows))
     moved = formula.node("ShaderNodeCombineXYZ")
-    formula.put(place.outputs[0], moved.inputs[0])
-    formula.put(v, moved.inputs[1])
+    for axis, cell, cells in ((0, column, columns), (1, row, rows)):
+        edge = 0.5 / _size(image)[axis]  # centres of the outer texels: no other pass is mixed in
+        held = formula.number("MAXIMUM", place.outputs[axis], edge)
+        within = formula.number("MINIMUM", held, 1.0 - edge)
+        at = formula.number("DIVIDE", formula.number("ADD", cell, within), cells)
+        formula.put(at, moved.inputs[axis])
     table = formula.node("ShaderNodeTexImage", interpolation="Linear", extension="EXTEND")
     table.name = _TABLE
     formula.put(moved.outputs[0], table.inputs["Vector"])
@@ -113,8 +122,16 @@ def _reader(tree: bpy.types.NodeTree, image: bpy.types.Image) -> bpy.types.NodeT
     return reader
 
 
-def _height(image: bpy.types.Image) -> int:
-    return int(image.get(SIZE, image.size)[1])
+def _number(formula: Formula, name: str) -> bpy.types.NodeSocket:
+    node = formula.node("ShaderNodeValue")
+    node.name = node.label = name
+    node.outputs[0].default_value = 1.0
+    return node.outputs[0]
+
+
+def _size(image: bpy.types.Image) -> tuple[int, int]:
+    width, height = image.get(SIZE, image.size)
+    return int(width), int(height)
 
 
 def use_nodes(tree: bpy.types.NodeTree, report: Report) -> None:
@@ -190,8 +207,8 @@ class Film:
         found = {}
         for node in _banded(self.tree):
             image = node.inputs[BEFORE].links[0].from_node.image
-            width, height = image.get(SIZE, image.size)
-            found[image[TABLE]] = (int(height), int(width))
+            width, height = _size(image)
+            found[image[TABLE]] = (height, width)
         return found
 
     @property
@@ -232,22 +249,30 @@ def digest() -> str:
 
 
 @contextlib.contextmanager
-def in_bands(plan: Plan) -> Iterator[None]:
-    """Tables of all passes are in place. Raises FilmError."""
-    made: list[bpy.types.Image] = []
+def in_bands(plan: Plan, *, at_once: bool) -> Iterator[Callable[[int], None]]:
+    """Tables are in place: those of all passes `at_once`, or those of the pass that what is yielded was
+    called with last. Raises FilmError."""
+    made: list[tuple[bpy.types.Image, np.ndarray]] = []
     seen: set[bpy.types.NodeTree] = set()
+
+    def show(number: int) -> None:
+        for image, texels in made if not at_once else ():
+            _fill(image, texels[number])
+
     try:
         for film in films():
             seen |= _readers_of_its_own(film.tree, seen)
             for name, texels in _tables_of_passes(film, plan).items():
-                image = _as_image(texels, f"{film.tree.name} {name} in bands")
-                made.append(image)
-                for node in _banded(film.tree):
-                    if node.node_tree[BANDED] == name:
-                        node.node_tree.nodes[_TABLE].image = image
-        yield
+                shown = _in_columns(texels) if at_once else texels[0]
+                image = _new_image(shown.shape, f"{film.tree.name} {name} in bands")
+                made.append((image, texels))
+                _fill(image, shown)
+                for reader in _readers(film.tree):
+                    if reader[BANDED] == name:
+                        _put(reader, image, texels.shape, at_once=at_once)
+        yield show
     finally:
-        for image in made:  # nodes that have it have none then
+        for image, _ in made:  # nodes that have it have none then
             bpy.data.images.remove(image)
 
 
@@ -262,6 +287,10 @@ def _readers_of_its_own(
             copies.setdefault(shared, None)
             copies[shared] = copies[shared] or shared.copy()
             node.node_tree = copies[shared]
+    return _readers(tree)
+
+
+def _readers(tree: bpy.types.NodeTree) -> set[bpy.types.NodeTree]:
     return {node.node_tree for node in _banded(tree)}
 
 
@@ -282,11 +311,37 @@ def _tables_of_passes(film: Film, plan: Plan) -> dict[str, np.ndarray]:
     return plan.kept[key]
 
 
-def _as_image(texels: np.ndarray, name: str) -> bpy.types.Image:
-    """The first pass at the bottom, where v begins."""
-    passes, height, width, _ = texels.shape
-    image = bpy.data.images.new(name, width, passes * height, float_buffer=True, is_data=True)
+def _put(
+    reader: bpy.types.NodeTree, image: bpy.types.Image, shape: tuple[int, ...], *, at_once: bool
+) -> None:
+    """`shape`: of the tables of all passes."""
+    _, height, width, _ = shape
+    nodes = reader.nodes
+    nodes[_TABLE].image = image
+    nodes[_COLUMNS].outputs[0].default_value = image.size[0] / width
+    nodes[_ROWS].outputs[0].default_value = image.size[1] / height
+    nodes[_STACKED].outputs[0].default_value = float(at_once)
+
+
+def _in_columns(texels: np.ndarray) -> np.ndarray:
+    """(height, width, 3) with all passes from the bottom up, where v begins, then the next column of
+    them."""
+    passes, height, width, channels = texels.shape
+    columns = -(-passes * height // MOST_TEXELS)
+    rows = -(-passes // columns)
+    cells = np.zeros((columns * rows, height, width, channels), np.float32)
+    cells[:passes] = texels
+    grid = cells.reshape(columns, rows, height, width, channels)[:, ::-1].transpose(1, 2, 0, 3, 4)
+    return grid.reshape(rows * height, columns * width, channels)
+
+
+def _new_image(shape: tuple[int, ...], name: str) -> bpy.types.Image:
+    height, width, _ = shape
+    image = bpy.data.images.new(name, width, height, float_buffer=True, is_data=True)
     image.alpha_mode = "NONE"
-    image.pixels.foreach_set(table_pixels(texels[::-1].reshape(passes * height, width, 3)))
-    image.update()
     return image
+
+
+def _fill(image: bpy.types.Image, texels: np.ndarray) -> None:
+    image.pixels.foreach_set(table_pixels(texels))
+    image.update()

@@ -13,7 +13,7 @@ import numpy as np
 import nacre
 
 from ..core.faults import ForeseenError
-from .attributes import BASIS, IS_SPECTRAL, PASS, PASSES, WAVELENGTHS, Values, polynomial_variable
+from .attributes import BASIS, IS_SPECTRAL, PASS, WAVELENGTHS, Values, polynomial_variable
 from .described import DAYLIGHT, EMISSION, Described
 
 
@@ -47,7 +47,6 @@ class Plan:
         return {
             IS_SPECTRAL: 1.0,
             PASS: float(number),
-            PASSES: float(self.passes),
             WAVELENGTHS: variables,
             **{name: [float(of_all[k]) for k in indices] for name, of_all in self.values.items()},
         }

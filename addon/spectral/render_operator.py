@@ -44,6 +44,9 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         step=3,
     )
 
+    _job = None
+    _timer = None
+
     @classmethod
     def poll(cls, context):
         problem = library_problem()
@@ -61,7 +64,7 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
 
     @reports_errors
     def execute(self, context):
-        from . import films, groups, plan, rendering
+        from . import engines, films, groups, plan, rendering
 
         path = Path(bpy.path.abspath(self.filepath)).absolute().with_suffix(".exr")
         output.check([path])
@@ -69,7 +72,8 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         made = plan.make(
             groups.found_spectra(), -(-self.bands // 3) or None, films_nm=films.thicknesses_nm()
         )
-        samples, denoise = scene.cycles.samples, scene.cycles.use_denoising
+        engine = engines.engine_of(scene)
+        samples, denoise = engine.samples(scene), engine.denoises(scene)
         passes = rendering.beside(path, scene, made, samples, denoise=denoise)
         passes.begin(resume=True)
         job = _Job(scene, passes, samples, path, denoise)
@@ -131,7 +135,7 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         self._end(context)
 
     def _end(self, context) -> None:
-        if getattr(self, "_timer", None) is not None:
+        if self._timer is not None:
             context.window_manager.event_timer_remove(self._timer)
             context.workspace.status_text_set(None)
             self._timer = None
@@ -154,7 +158,7 @@ class _Job:
     def __enter__(self) -> _Job:
         from . import rendering
 
-        self._stack.enter_context(
+        self._begin = self._stack.enter_context(
             rendering.prepared(self.scene, self.passes.plan, self._samples, denoise=self._denoise)
         )
         for name, handler in (("render_complete", self._complete), ("render_cancel", self._cancel)):
@@ -168,12 +172,10 @@ class _Job:
 
     def begin_next(self) -> bool:
         """Tells the scene which pass is next; False where all are there."""
-        from . import rendering
-
         self.outcome = ""
         self.number = next(self._missing, None)
         if self.number is not None:
-            rendering.begin_pass(self.scene, self.passes.plan, self.number)
+            self._begin(self.number)
         return self.number is not None
 
     def keep(self) -> None:

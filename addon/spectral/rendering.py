@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import contextlib
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,12 +20,8 @@ from ..core import exr, spectral_image
 from ..core.whole_file import write_whole
 from . import attributes, films
 from .described import DAYLIGHT
+from .engines import engine_of
 from .plan import Plan, in_bands
-
-
-def samples_for(samples: int, passes: int) -> int:
-    """Of each pass, so that all passes together have `samples`, or a few more."""
-    return max(1, -(-samples // passes))
 
 
 def layer_of(scene: bpy.types.Scene) -> bpy.types.ViewLayer:
@@ -36,45 +32,33 @@ def layer_of(scene: bpy.types.Scene) -> bpy.types.ViewLayer:
 @contextlib.contextmanager
 def prepared(
     scene: bpy.types.Scene, plan: Plan, samples: int, *, denoise: bool = False
-) -> Iterator[None]:
-    """The scene renders a pass of `plan` whenever `begin_pass` was called; all is as it was at the end.
-
-    Every pixel of Cycles gets consecutive parts of one sequence of samples, the same for all passes:
-    what they have in common, light and shade, is as smooth as if it were one render, and what is left
-    is hardly coloured. The compositor would see three wavelengths as colours, and is left out.
-    """
-    render, cycles, layer = scene.render, scene.cycles, layer_of(scene)
-    each = samples_for(samples, plan.passes)
+) -> Iterator[Callable[[int], None]]:
+    """Yields what makes the scene render the pass of a number; all is as it was at the end. The compositor
+    would see three wavelengths as colours, and is left out. Raises ForeseenError."""
+    engine, render, layer = engine_of(scene), scene.render, layer_of(scene)
     wanted = [
         (render, "use_persistent_data", True),
         (render, "use_compositing", False),
         (render, "use_sequencer", False),
-        (layer.cycles, "denoising_store_passes", denoise),
         *((other, "use", other == layer) for other in scene.view_layers),
-        (cycles, "use_adaptive_sampling", False),
-        (cycles, "use_denoising", False),
-        (cycles, "use_animated_seed", False),
-        (cycles, "time_limit", 0.0),
-        (cycles, "samples", each * plan.passes),
-        (cycles, "use_sample_subset", True),
-        (cycles, "sample_subset_length", each),
-        (cycles, "sample_offset", 0),
+        *engine.settings(scene, layer, plan, samples, denoise),
     ]
     before = [(owner, name, getattr(owner, name)) for owner, name, _ in wanted]
     try:
         for owner, name, value in wanted:
             setattr(owner, name, value)
-        with films.in_bands(plan):
-            yield
+        with films.in_bands(plan, at_once=engine.has_all_tables) as show_tables:
+
+            def begin(number: int) -> None:
+                engine.begin(scene, plan, number)
+                show_tables(number)
+                attributes.put(scene, plan.properties(number))
+
+            yield begin
     finally:
         for owner, name, value in reversed(before):
             setattr(owner, name, value)
         attributes.take_away(scene)
-
-
-def begin_pass(scene: bpy.types.Scene, plan: Plan, number: int) -> None:
-    scene.cycles.sample_offset = number * scene.cycles.sample_subset_length
-    attributes.put(scene, plan.properties(number))
 
 
 @dataclass(frozen=True)
@@ -130,6 +114,7 @@ def beside(
             name: [float(value) for value in of_all] for name, of_all in plan.values.items()
         },
         "films": films.digest(),
+        "engine": render.engine,
         "samples": samples,
         "denoise": denoise,
         "seed": scene.cycles.seed,

@@ -113,10 +113,10 @@ def in_bands(scene: bpy.types.Scene, samples: int, seed: int, folder: Path) -> t
     scene.cycles.seed = seed
     passes = rendering.beside(folder / "bands.exr", scene, plan, samples)
     passes.begin(resume=False)
-    with rendering.prepared(scene, plan, samples):
+    with rendering.prepared(scene, plan, samples) as begin:
         start = time.process_time()
         for number in passes.missing():
-            rendering.begin_pass(scene, plan, number)
+            begin(number)
             bpy.ops.render.render()
             passes.save(scene, number)
         seconds = time.process_time() - start

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import os
+import shutil
 from pathlib import Path
 
 import pytest
 
+from blender.harness import Blender, Server, xvfb_command
 from support.paths import ROOT
 from support.report import Report
 
@@ -51,3 +53,14 @@ def pytest_sessionfinish(session):
 def report() -> Report:
     """Failed comparisons, a page at the end of the run."""
     return REPORT
+
+
+@pytest.fixture(scope="module")
+def displayed(blender, tmp_path_factory):
+    """The same Blender on a display that nobody sees, drawing in software, for EEVEE."""
+    if not shutil.which("xvfb-run"):
+        pytest.skip("EEVEE needs a display, and there is no xvfb-run (Debian's xvfb, xauth)")
+    server = Server(xvfb_command(blender.python))
+    folder = tmp_path_factory.mktemp("eevee")
+    yield Blender(blender.version, blender.python, server, folder, {"LIBGL_ALWAYS_SOFTWARE": "1"})
+    server.close()

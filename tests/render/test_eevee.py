@@ -9,13 +9,11 @@ shaders takes most of the time: one picture a version holds all spheres.
 from __future__ import annotations
 
 import math
-import shutil
 from functools import cache
 
 import numpy as np
 import pytest
 
-from blender.harness import Blender, Server, xvfb_command
 from support.colours import delta_e
 from support.paths import manifest
 from support.representatives import chosen, films, representatives
@@ -73,27 +71,18 @@ def cell(film: str, roughness: float) -> dict:
 
 
 @pytest.fixture(scope="module")
-def spheres(blender, tmp_path_factory):
-    if not shutil.which("xvfb-run"):
-        pytest.skip("EEVEE needs a display, and there is no xvfb-run (Debian's xvfb, xauth)")
-    server = Server(xvfb_command(blender.python))
-    shown = Blender(
-        blender.version, blender.python, server, tmp_path_factory.mktemp("eevee"),
-        {"LIBGL_ALWAYS_SOFTWARE": "1"},
-    )  # fmt: skip
-
+def spheres(displayed):
     def job() -> dict:
         cells = [cell(*case) for case in CASES]
         return {"cells": cells, "columns": COLUMNS, "size": SIZE, "samples": 1}
 
-    pictures = shown.pictures("eevee.atlas", job)
+    pictures = displayed.pictures("eevee.atlas", job)
 
     def sphere(film: str, roughness: float) -> np.ndarray:
         row, column = divmod(CASES.index((film, roughness)), COLUMNS)
         return pictures()[SIZE * row :, SIZE * column :][:SIZE, :SIZE]
 
-    yield sphere
-    server.close()
+    return sphere
 
 
 @pytest.fixture(scope="session")

@@ -16,8 +16,10 @@ from nacre import library
 from support.colours import delta_e as support_delta_e
 from support.images import read_channels, read_image
 from support.spectral import delta_e, light_at, observer_at, read_spectral, reflectance_at
+from support.truth import material_template, spectra
 
 LIGHTS = ["D65", "A", "F2", "F11", "LED-B3", "lamp/hps", "line:462@1,532@0.8,638@1.2"]
+SHOWN_BY_EEVEE = LIGHTS if os.environ.get("NACRE_SOAK") else LIGHTS[3:4]
 CHART = [key for key in library.keys("spectra") if key.startswith("colorchecker/")]
 SIZE = 4
 """Pixels of a patch."""
@@ -75,6 +77,37 @@ def test_matt_patches_under_a_lamp(blender, light):
     luminance = colour.RGB_COLOURSPACES["sRGB"].matrix_RGB_to_XYZ[1] @ before[SIZE // 2, -1]
     assert white[1] == pytest.approx(luminance, rel=5e-3)
     np.testing.assert_array_equal(read_image(blender.folder / "after.exr"), before)
+
+
+FILM = ("anodised_titanium", 110.0)
+
+
+@pytest.fixture(scope="module")
+def chart_in_eevee(displayed):
+    displayed.call(
+        "spectral.eevee",
+        reflectances=CHART, lights=SHOWN_BY_EEVEE, folder=str(displayed.folder), size=SIZE, samples=4,
+        film={"material": FILM[0], "values": {"thickness_nm": FILM[1], "roughness": 0.0}},
+    )  # fmt: skip
+    return displayed.folder
+
+
+@pytest.mark.parametrize("light", SHOWN_BY_EEVEE)
+def test_chart_and_a_film_in_eevee(chart_in_eevee, light, record_property):
+    """It keeps the colour of a closure in ten bits, which is much of a dark one."""
+    xyz, _ = read_spectral(chart_in_eevee / f"{light.replace('/', '_')}.exr")
+    *patches, white, film = xyz[SIZE // 2, SIZE // 2 :: SIZE]
+    expected, expected_white = exact(light)
+    np.testing.assert_allclose(white / white[1], expected_white, atol=2e-3)
+    errors = delta_e(np.array(patches) / white[1], expected, expected_white)
+    record_property("dE00", f"mean {errors.mean():.3f}, max {errors.max():.3f}")
+    print(f"dE00 mean {errors.mean():.3f}, max {errors.max():.3f}")
+    assert errors.mean() <= 0.5
+    nm, power = light_at(light)
+    reflectance = spectra(material_template(FILM[0]), FILM[1], np.array([1.0])).R[0]
+    seen = observer_at(nm) * power[:, None]
+    colour_of_film = np.interp(nm, np.arange(360, 831), reflectance) @ seen / seen.sum(axis=0)[1]
+    assert delta_e(film * colour_of_film[1] / film[1], colour_of_film, expected_white) <= 2.0
 
 
 def test_bands_are_those_of_all_lights():

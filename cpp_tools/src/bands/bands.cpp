@@ -162,6 +162,22 @@ Band band_of(const Span& span, const Eye& seen)
     return band;
 }
 
+/// Weights of the four nanometres around a wavelength, those of the cubic through them.
+void add_cubic(spectral::Sampled& weights, double nm)
+{
+    const double offset = nm - spectral::kFirstNm;
+    const double low = std::clamp(std::floor(offset) - 1.0, 0.0, spectral::kWavelengths - 4.0);
+    const auto first = static_cast<std::size_t>(low);
+    for (std::size_t i = 0; i < 4; ++i) {
+        double weight = 1.0;
+        for (std::size_t j = 0; j < 4; ++j)
+            if (j != i)
+                weight *= (offset - low - static_cast<double>(j)) /
+                          (static_cast<double>(i) - static_cast<double>(j));
+        weights[first + i] += weight;
+    }
+}
+
 }  // namespace
 
 Light named_light(std::string_view text)
@@ -183,25 +199,24 @@ spectral::Sampled film_weights(const Bands& bands, std::size_t band, double opti
 {
     const Band& of = bands.bands[band];
     spectral::Sampled weights{};
-    const auto add = [&weights](double nm, double weight) {
-        const double offset = nm - spectral::kFirstNm;
-        const auto below = std::min(static_cast<std::size_t>(offset), spectral::kWavelengths - 2);
-        const double above = offset - static_cast<double>(below);
-        weights[below] += (1.0 - above) * weight;
-        weights[below + 1] += above * weight;
-    };
     // One way for all bands: what is off in some of them is made up for in others.
     const double fringes =
         2.0 * optical_thickness_nm * (1.0 / spectral::kFirstNm - 1.0 / spectral::kLastNm);
     if (of.is_line || kBandsOfFringe * fringes <= static_cast<double>(bands.size())) {
-        add(of.wavelength_nm, 1.0);
+        add_cubic(weights, of.wavelength_nm);
         return weights;
     }
     const Eye& seen = eye(bands.observer);
     const std::size_t first = step_of(of.first_nm), end = step_of(of.last_nm);
     double sum = 0.0;
     for (std::size_t i = first; i < end; ++i) sum += seen.sum[i];
-    for (std::size_t i = first; i < end; ++i) add(fine_nm(i), seen.sum[i] / sum);
+    for (std::size_t i = first; i < end; ++i) {
+        const double offset = fine_nm(i) - spectral::kFirstNm;
+        const auto below = static_cast<std::size_t>(offset);
+        const double above = offset - static_cast<double>(below);
+        weights[below] += (1.0 - above) * seen.sum[i] / sum;
+        weights[below + 1] += above * seen.sum[i] / sum;
+    }
     return weights;
 }
 

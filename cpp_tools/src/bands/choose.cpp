@@ -109,7 +109,7 @@ double film_error(const Bands& bands, const Light& light, double optical_thickne
                     [&weights](std::size_t band, const Fine& film) {
                         double sum = 0.0;
                         for (std::size_t i = 0; i < spectral::kWavelengths; ++i)
-                            if (weights[band][i] > 0.0)
+                            if (weights[band][i] != 0.0)
                                 sum += weights[band][i] * read_at(film, spectral::wavelength_nm(i));
                         return sum;
                     })

@@ -11,7 +11,9 @@ from random import Random
 import bpy
 
 from . import extension
+from .eevee import engine as eevee_engine
 from .furnace import atlas_scene as furnace_atlas
+from .furnace import film as furnace_film
 from .furnace import light_by_depth
 from .pictures import empty_scene, render_picture
 
@@ -77,17 +79,7 @@ def lit_chart(
     described = extension.module("spectral.described").Described
     scene = empty_scene()
     for column, reflectance in enumerate([*reflectances, ""]):
-        material = bpy.data.materials.new(reflectance or "white")
-        material.use_nodes = True
-        tree = material.node_tree
-        tree.nodes.clear()
-        diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
-        diffuse.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
-        out = tree.nodes.new("ShaderNodeOutputMaterial")
-        tree.links.new(diffuse.outputs[0], out.inputs["Surface"])
-        if reflectance:
-            tree.links.new(_spectrum_node(tree, reflectance), diffuse.inputs["Color"])
-        _patch(scene, column, 0, material)
+        _patch(scene, column, 0, _matt(reflectance))
     lamp = bpy.data.lights.new("lamp", "SUN")
     lamp.angle, lamp.energy, lamp.color = 0.0, 2.0, (1.0, 0.8, 0.5)
     scene.collection.objects.link(bpy.data.objects.new("lamp", lamp))
@@ -104,6 +96,49 @@ def lit_chart(
     return {**said, "removed": removed}
 
 
+def eevee(
+    *, reflectances: list[str], lights: list[str], film: dict, folder: str, size: int, samples: int
+) -> dict:
+    """A row of matt patches in EEVEE, the last but one white, the last one a film that lies flat, each
+    time under another lamp that is as white as the sky (LIGHT.exr)."""
+    convert = extension.module("spectral.convert")
+    described = extension.module("spectral.described").Described
+    scene = empty_scene()
+    for column, reflectance in enumerate([*reflectances, ""]):
+        _patch(scene, column, 0, _matt(reflectance))
+    _patch(scene, len(reflectances) + 1, 0, furnace_film(scene, {"form": "nodes", **film}))
+    lamp = bpy.data.lights.new("lamp", "SUN")
+    lamp.angle, lamp.energy = 0.0, 2.0
+    sun = bpy.data.objects.new("lamp", lamp)
+    sun.rotation_euler.x = 0.7  # the film mirrors the sky alone
+    scene.collection.objects.link(sun)
+    scene.world = bpy.data.worlds.new("world")
+    scene.world.use_nodes = True
+    _seen_from_above(scene, len(reflectances) + 2, 1, size)
+    scene.render.engine = eevee_engine(scene)
+    convert.make_spectral()
+    for light in lights:
+        spectrum = described.named(light)
+        convert.give_lamp(lamp, spectrum)
+        convert.give_world(scene.world, spectrum)
+        said = rendered(scene, str(Path(folder) / f"{light.replace('/', '_')}.exr"), samples, 0)
+    return said
+
+
+def _matt(reflectance: str) -> bpy.types.Material:
+    material = bpy.data.materials.new(reflectance or "white")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
+    diffuse.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    out = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(diffuse.outputs[0], out.inputs["Surface"])
+    if reflectance:
+        tree.links.new(_spectrum_node(tree, reflectance), diffuse.inputs["Color"])
+    return material
+
+
 def rendered(
     scene: bpy.types.Scene, file: str, samples: int, passes: int, *, denoise: bool = False
 ) -> dict:
@@ -113,9 +148,9 @@ def rendered(
     rendering = extension.module("spectral.rendering")
     kept = rendering.beside(Path(file), scene, made, samples, denoise=denoise)
     kept.begin(resume=False)
-    with rendering.prepared(scene, made, samples, denoise=denoise):
+    with rendering.prepared(scene, made, samples, denoise=denoise) as begin:
         for number in kept.missing():
-            rendering.begin_pass(scene, made, number)
+            begin(number)
             bpy.ops.render.render(scene=scene.name)
             kept.save(scene, number)
     found = rendering.rendered(kept)
@@ -363,7 +398,9 @@ def many(*, folder: str, count: int, samples: int) -> dict:
     with another seed (again.exr), in bands (bands.exr), and with everything undone (after.exr)."""
     convert = extension.module("spectral.convert")
     scene = empty_scene()
-    if hasattr(scene.cycles, "volume_biased"):  # Blender 5; volumes without an end take 40 times as long else
+    if hasattr(
+        scene.cycles, "volume_biased"
+    ):  # Blender 5; volumes without an end take 40 times as long else
         scene.cycles.volume_biased = True
     random = Random(7)
     picture = bpy.data.images.new("picture", 4, 4, float_buffer=True)

@@ -14,7 +14,7 @@
 
 namespace nacre::kinds {
 
-/// What each channel of a pass is: weights of the nanometres, ≥ 0 and 1 together.
+/// What each channel of a pass is: weights of the nanometres, 1 together.
 using BandPass = std::array<spectral::Sampled, 3>;
 
 /// Tables of these roles and sizes, those of a compiled film, with the reflectance in each band in

@@ -108,7 +108,7 @@ assert thickness[tree_of(copy)] == before[tree_of(copy)]
 
 # While a plan is rendered each has a picture of all passes of its own, and none afterwards.
 made = plan.make(spectral_groups.found_spectra(), 8, films_nm=films.thicknesses_nm())
-with films.in_bands(made):
+with films.in_bands(made, at_once=True):
     pictures = []
     for tree in (edited, tree_of(copy), in_nodes):
         smooth = next(r for r in readers(tree) if r[marks.BANDED] == "R")
@@ -125,7 +125,7 @@ with films.in_bands(made):
     of_edited = readers(edited)
     assert len({picture_of(r).name for r in of_edited}) == len({r.name for r in of_edited}) == 2
     assert pictures[0].shape != pictures[1].shape or np.abs(pictures[0] - pictures[1]).max() > 0.05
-    assert all(0.0 <= values.min() and values.max() <= 1.0 for values in pictures)
+    assert all(values.min() >= 0.0 and values.max() <= 1.0 for values in pictures)
 assert not [image.name for image in bpy.data.images if "in bands" in image.name]
 for tree in (edited, tree_of(copy), in_nodes):
     assert all(picture_of(reader) is None for reader in readers(tree))
