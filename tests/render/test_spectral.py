@@ -83,7 +83,11 @@ FILM = ("anodised_titanium", 110.0)
 
 
 @pytest.fixture(scope="module")
-def chart_in_eevee(displayed):
+def chart_in_eevee(blender, request):
+    """Shaders are compiled in software, half a minute for a chart: in one version."""
+    if blender.version != "4.5" and not os.environ.get("NACRE_SOAK"):
+        pytest.skip("seen in 4.5; NACRE_SOAK=1 sees it in both")
+    displayed = request.getfixturevalue("displayed")
     displayed.call(
         "spectral.eevee",
         reflectances=CHART, lights=SHOWN_BY_EEVEE, folder=str(displayed.folder), size=SIZE, samples=4,
