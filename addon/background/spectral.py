@@ -10,6 +10,7 @@ from pathlib import Path
 
 import bpy
 
+from ..blender import denoise
 from ..spectral import convert, films, groups, plan, rendering
 from ..spectral.described import Described, SpectrumError
 from ..spectral.marks import WORLD
@@ -42,11 +43,12 @@ class Prepared:
         """All passes, then the files. What was rendered of a picture that was stopped is kept in a folder
         beside it, from which --resume goes on."""
         samples, plan = scene.cycles.samples, self.plan
-        passes = rendering.beside(paths[0], scene, plan, samples, denoise=options.denoise)
+        smooth = options.denoise and denoise.is_possible()
+        passes = rendering.beside(paths[0], scene, plan, samples, denoise=smooth)
         passes.begin(resume=options.resume)
         missing = passes.missing()
         self.taken_over += plan.passes - len(missing)
-        with rendering.prepared(scene, plan, samples, denoise=options.denoise) as begin:
+        with rendering.prepared(scene, plan, samples, denoise=smooth) as begin:
             for number in missing:
                 begin(number)
                 label = f"{paths[0].name} {number + 1}/{plan.passes}"
@@ -78,6 +80,8 @@ def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
             f"{len(made.bands)} bands, the most there are, show these "
             f"{'films' if of_films else 'lights'} within ΔE00 {error:.2f} on average"
         )
+    if options.denoise and not denoise.is_possible():
+        notes.append(denoise.NOT_POSSIBLE)
     return Prepared(made, notes)
 
 

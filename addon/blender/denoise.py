@@ -14,6 +14,15 @@ import numpy as np
 from ..core import exr
 from ..core.exr_write import ExrWriter
 
+NOT_POSSIBLE = "not denoised: this Blender was built without OpenImageDenoise"
+
+
+def is_possible() -> bool:
+    """Some distributions' Blender has none, and its denoising of files then writes what memory holds."""
+    import _cycles
+
+    return bool(_cycles.with_openimagedenoise)
+
 
 def denoised(
     scene: bpy.types.Scene,
@@ -24,7 +33,8 @@ def denoised(
     albedo: np.ndarray,
     normal: np.ndarray,
 ) -> np.ndarray:
-    """(height, width, 3), as the scene's settings have it. Raises RuntimeError where Blender refuses."""
+    """(height, width, 3), as the scene's settings have it; only where that `is_possible`. Raises RuntimeError
+    where Blender refuses."""
     height, width = rgb.shape[:2]
     combined = np.concatenate([rgb, alpha[..., None]], axis=-1)
     parts = {

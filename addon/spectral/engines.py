@@ -8,6 +8,7 @@ from typing import Any, Protocol
 
 import bpy
 
+from ..blender.denoise import is_possible
 from ..core.faults import ForeseenError
 from .lamps import lamps_in_bands
 from .plan import Plan
@@ -49,7 +50,7 @@ class _Cycles:
         return scene.cycles.samples
 
     def denoises(self, scene: bpy.types.Scene) -> bool:
-        return scene.cycles.use_denoising
+        return scene.cycles.use_denoising and is_possible()
 
     def settings(
         self,
@@ -60,20 +61,32 @@ class _Cycles:
         denoise: bool,
     ) -> list[Setting]:
         cycles, each = scene.cycles, samples_for(samples, plan.passes)
-        return [
+        wanted = [
             (layer.cycles, "denoising_store_passes", denoise),
             (cycles, "use_adaptive_sampling", False),
             (cycles, "use_denoising", False),
             (cycles, "use_animated_seed", False),
             (cycles, "time_limit", 0.0),
+            (cycles, "sample_offset", 0),
+        ]
+        if not _has_subsets(cycles):
+            return [*wanted, (cycles, "samples", each)]
+        return [
+            *wanted,
             (cycles, "samples", each * plan.passes),
             (cycles, "use_sample_subset", True),
             (cycles, "sample_subset_length", each),
-            (cycles, "sample_offset", 0),
         ]
 
     def begin(self, scene: bpy.types.Scene, plan: Plan, number: int) -> None:
-        scene.cycles.sample_offset = number * scene.cycles.sample_subset_length
+        cycles = scene.cycles
+        each = cycles.sample_subset_length if _has_subsets(cycles) else cycles.samples
+        cycles.sample_offset = number * each
+
+
+def _has_subsets(cycles: bpy.types.bpy_struct) -> bool:
+    """From Blender 4.5 on; before, an offset alone says which part of the sequence it is."""
+    return hasattr(cycles, "use_sample_subset")
 
 
 class _Eevee:

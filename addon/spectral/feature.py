@@ -14,7 +14,7 @@ from . import marks, operators, panel, render_operator
 
 
 def _follow(material: bpy.types.Material) -> None:
-    """Where the library is missing, a file that is spectral already waits for *Include What Is New*."""
+    """Where the library is missing, a file that is spectral already waits for *Include New*."""
     if not marks.is_spectral() or library_problem():
         return
     from . import convert

@@ -83,9 +83,19 @@ def _sigmoid(formula: Formula, coefficients: bpy.types.NodeSocket) -> bpy.types.
     inner = formula.vector("MULTIPLY_ADD", t, parts.outputs[0], parts.outputs[1])
     x = formula.vector("MULTIPLY_ADD", inner, t, parts.outputs[2])
     square = formula.vector("MULTIPLY_ADD", x, x, (1.0, 1.0, 1.0))
-    root = formula.vector("POWER", square, (-0.5, -0.5, -0.5))
+    root = _each(formula, "INVERSE_SQRT", square)  # Vector Math has no power before Blender 4.5
     half = formula.vector("MULTIPLY", x, root)
     return formula.vector("MULTIPLY_ADD", half, (0.5, 0.5, 0.5), (0.5, 0.5, 0.5))
+
+
+def _each(formula: Formula, operation: str, vector: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
+    """Of each component."""
+    parts = formula.node("ShaderNodeSeparateXYZ")
+    formula.put(vector, parts.inputs[0])
+    together = formula.node("ShaderNodeCombineXYZ")
+    for part, socket in zip(parts.outputs, together.inputs, strict=True):
+        formula.put(formula.number(operation, part), socket)
+    return together.outputs[0]
 
 
 def _mixture(formula: Formula, colour: bpy.types.NodeSocket) -> bpy.types.NodeSocket:

@@ -30,7 +30,7 @@ class _Spectral(Documented):
         row.scale_y = 1.3
         row.operator("nacre.render_spectral", text="Render Spectral…", icon="RENDER_STILL")
         row = layout.row(align=True)
-        row.operator("nacre.make_spectral", text="Include What Is New", icon="FILE_REFRESH")
+        row.operator("nacre.make_spectral", text="Include New", icon="FILE_REFRESH")
         row.operator("nacre.make_rgb", text="Back to RGB", icon="X")
 
 

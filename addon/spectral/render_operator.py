@@ -10,7 +10,7 @@ from pathlib import Path
 import bpy
 from bpy.props import IntProperty, StringProperty
 
-from ..blender import output
+from ..blender import denoise, output
 from ..core.computation import library_problem
 from ..materials.guard import reports_errors
 from . import marks
@@ -73,10 +73,10 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
             groups.found_spectra(), -(-self.bands // 3) or None, films_nm=films.thicknesses_nm()
         )
         engine = engines.engine_of(scene)
-        samples, denoise = engine.samples(scene), engine.denoises(scene)
-        passes = rendering.beside(path, scene, made, samples, denoise=denoise)
+        samples, smooth = engine.samples(scene), engine.denoises(scene)
+        passes = rendering.beside(path, scene, made, samples, denoise=smooth)
         passes.begin(resume=True)
-        job = _Job(scene, passes, samples, path, denoise)
+        job = _Job(scene, passes, samples, path, smooth)
         if bpy.app.background:
             with job:
                 while job.begin_next():
@@ -126,9 +126,10 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
     def _written(self, job: _Job):
         job.write()
         plan = job.passes.plan
-        self.report(
-            {"INFO"}, f"{job.path} written: {len(plan.bands)} bands in {plan.passes} passes"
-        )
+        said = f"{job.path} written: {len(plan.bands)} bands in {plan.passes} passes"
+        if job.scene.render.engine == "CYCLES" and job.scene.cycles.use_denoising:
+            said += "" if denoise.is_possible() else f"; {denoise.NOT_POSSIBLE}"
+        self.report({"INFO"}, said)
         return {"FINISHED"}
 
     def cancel(self, context):

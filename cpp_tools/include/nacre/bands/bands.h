@@ -72,9 +72,9 @@ inline constexpr int kMostBands = 300;
 
 /// What a film of this optical thickness (index times thickness) is in a band, as weights of the
 /// nanometres, 1 together: its reflectance at Band::wavelength_nm, by a cubic through four of them,
-/// or where it has more fringes than bands can tell, its mean over the band to the eye. Under D65 24 bands show films to
-/// 1.5 µm so within ΔE00 0.1 on average, those of 2.5 µm and more within 0.6, where reading at one
-/// wavelength is off by 3 at 6 µm.
+/// or where it has more fringes than bands can tell, its mean over the band to the eye. Under D65
+/// 24 bands show films to 1.5 µm so within ΔE00 0.1 on average, those of 2.5 µm and more within
+/// 0.6, where reading at one wavelength is off by 3 at 6 µm.
 [[nodiscard]] spectral::Sampled film_weights(const Bands& bands, std::size_t band,
                                              double optical_thickness_nm);
 

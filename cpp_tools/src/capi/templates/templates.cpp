@@ -49,8 +49,7 @@ std::vector<kinds::TableLayout> layout_from(size_t count, const nacre_table_size
         require(size.name, "sizes.name");
         const auto role = table_role(size.name);
         if (!role)
-            fail("sizes.name",
-                 fmt::format("must be the name of a table (got \"{}\")", size.name));
+            fail("sizes.name", fmt::format("must be the name of a table (got \"{}\")", size.name));
         layout.push_back({*role, {size.width, size.height}});
     }
     return layout;
@@ -102,8 +101,8 @@ nacre_status nacre_band_tables(const char* text, const char* file, const nacre_b
         std::vector<kinds::BandPass> weights(passes);
         for (size_t i = 0; i < 3 * passes; ++i) {
             if (band[i] >= bands->made.size())
-                capi::fail("band", fmt::format("must be below {} (got {})", bands->made.size(),
-                                               band[i]));
+                capi::fail("band",
+                           fmt::format("must be below {} (got {})", bands->made.size(), band[i]));
             weights[i / 3][i % 3] = bands::film_weights(bands->made, band[i], thickness_nm);
         }
         auto made = std::make_unique<nacre_result>();

@@ -157,8 +157,7 @@ SpectralBlocks::SpectralBlocks(const FilmTableRequest& request) : variation(requ
     for (const SampledLayer& layer : request.stack.layers) coherent.push_back(layer.coherent);
     if (!request.stack.layers.empty()) technique = request.technique;
     for (std::size_t first = 0; first < spectral::kWavelengths; first += optics::kLanes)
-        if (has_weight(request.weights, first))
-            blocks.push_back(make_block(request, first));
+        if (has_weight(request.weights, first)) blocks.push_back(make_block(request, first));
 }
 
 Column::Column(const SpectralBlocks& spectral) : spectral_(&spectral)

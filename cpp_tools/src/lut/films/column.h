@@ -22,7 +22,7 @@ public:
     explicit SpectralBlocks(const FilmTableRequest& request);
 
     struct Block {
-        std::size_t first;  ///< of the wavelengths
+        std::size_t first;        ///< of the wavelengths
         optics::LaneStack stack;  ///< `waves` as of the request's thicknesses; cosine not set
         optics::Lanes inverse_wavelength;
         std::array<optics::Lanes, 3> weight;

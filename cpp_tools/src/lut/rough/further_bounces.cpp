@@ -146,8 +146,8 @@ std::vector<MatrixXd> facet_reflectance(const FilmTableRequest& request,
     std::vector<Eigen::Index> column_of(spectral::kWavelengths + optics::kLanes, kNone);
     for (std::size_t i = 0; i < bands.size(); ++i)
         column_of[bands[i] * kBandNm] = static_cast<Eigen::Index>(i);
-    std::vector<MatrixXd> result(
-        rows, MatrixXd::Ones(kNodes, static_cast<Eigen::Index>(bands.size())));
+    std::vector<MatrixXd> result(rows,
+                                 MatrixXd::Ones(kNodes, static_cast<Eigen::Index>(bands.size())));
     tbb::parallel_for(Eigen::Index{1}, kNodes, [&](Eigen::Index node) {
         Column column(spectral);
         column.turn_to(static_cast<double>(node) / (kNodes - 1));
