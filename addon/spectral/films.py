@@ -60,9 +60,9 @@ def convert(tree: bpy.types.NodeTree, report: Report) -> None:
         report.remarks.append(Remark("node group", tree.name, text))
         return
     for node in list(_tables(tree)):
-        output = node.outputs["Color"]
+        output, place = node.outputs["Color"], node.inputs["Vector"]
         targets = [link.to_socket for link in output.links]
-        if any(BEFORE in target.node.inputs and MADE in target.node for target in targets):
+        if not place.is_linked or any(MADE in target.node for target in targets):
             continue
         banded = tree.nodes.new("ShaderNodeGroup")
         banded[MADE] = True
@@ -70,7 +70,7 @@ def convert(tree: bpy.types.NodeTree, report: Report) -> None:
         banded.hide = True
         banded.node_tree = _reader(tree, node.image)
         tree.links.new(output, banded.inputs[BEFORE])
-        tree.links.new(node.inputs["Vector"].links[0].from_socket, banded.inputs["Vector"])
+        tree.links.new(place.links[0].from_socket, banded.inputs["Vector"])
         for target in targets:
             tree.links.new(banded.outputs["Color"], target)
         report.spectra += 1
@@ -142,7 +142,7 @@ def use_nodes(tree: bpy.types.NodeTree, report: Report) -> None:
         if group is None or group.get(groups.FORM) != OSL or not has_tables(group):
             continue
         if group.library is not None:
-            continue  # convert() says why it stays
+            continue  # make_spectral() says that it stays
         try:
             in_nodes = groups.material_group(_compiled(group), NODES)
         except (RecipeError, ManifestError) as error:
@@ -280,13 +280,9 @@ def _readers_of_its_own(
     tree: bpy.types.NodeTree, others: set[bpy.types.NodeTree]
 ) -> set[bpy.types.NodeTree]:
     """Groups that read its tables; one that was copied shares them with what it is a copy of."""
-    copies: dict[bpy.types.NodeTree, bpy.types.NodeTree] = {}
+    copies = {shared: shared.copy() for shared in _readers(tree) & others}
     for node in _banded(tree):
-        if node.node_tree in others:
-            shared = node.node_tree
-            copies.setdefault(shared, None)
-            copies[shared] = copies[shared] or shared.copy()
-            node.node_tree = copies[shared]
+        node.node_tree = copies.get(node.node_tree, node.node_tree)
     return _readers(tree)
 
 

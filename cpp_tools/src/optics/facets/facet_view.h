@@ -3,7 +3,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <span>
 
 #include "facets/visible_normals.h"
@@ -21,12 +23,12 @@ public:
           alpha_(alpha),
           toward_{std::sqrt(1.0 - cosine_ * cosine_), 0.0, cosine_},
           seen_(1.0 + smith_lambda(cosine_, alpha)),
-          azimuths_(alpha > 0.0 ? 64 : 1),
-          polar_(alpha > 0.0 ? 256 : 1)
+          azimuths_(alpha > 0.0 ? kAzimuths : 1),
+          polar_(alpha > 0.0 ? kPolar : 1)
     {}
 
     [[nodiscard]] double cosine() const { return cosine_; }
-    [[nodiscard]] double points() const { return azimuths_ * polar_; }
+    [[nodiscard]] double points() const { return static_cast<double>(azimuths_ * polar_); }
 
     /// What shadowing, correlated in height, leaves of light in a direction that rises so steeply.
     [[nodiscard]] double leaving(double up) const
@@ -38,21 +40,29 @@ public:
     template <class Visit>
     void visit(Visit&& visit) const
     {
-        for (int i = 0; i < azimuths_; ++i)
-            for (int j = 0; j < polar_; ++j) {
-                const Vector facet = visible_normal(
-                    toward_, {alpha_, alpha_}, (i + 0.5) / (2.0 * azimuths_), (j + 0.5) / polar_);
+        const VisibleNormals normals(toward_, {alpha_, alpha_});
+        std::array<VisibleNormals::Height, kPolar> heights;
+        for (std::size_t j = 0; j < polar_; ++j)
+            heights[j] =
+                normals.height((static_cast<double>(j) + 0.5) / static_cast<double>(polar_));
+        for (std::size_t i = 0; i < azimuths_; ++i) {
+            const auto to = VisibleNormals::direction((static_cast<double>(i) + 0.5) /
+                                                      (2.0 * static_cast<double>(azimuths_)));
+            for (std::size_t j = 0; j < polar_; ++j) {
+                const Vector facet = normals.at(to, heights[j]);
                 visit(facet, std::clamp(dot(toward_, facet), 0.0, 1.0));
             }
+        }
     }
 
 private:
     static constexpr double kGrazing = 1e-4;
+    static constexpr std::size_t kAzimuths = 64, kPolar = 256;
 
     double cosine_, alpha_;
     Vector toward_;
     double seen_;
-    int azimuths_, polar_;
+    std::size_t azimuths_, polar_;
 };
 
 /// Adds a share between the two weights that `x` in [0, 1], from the first to the last, lies
