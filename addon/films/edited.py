@@ -21,7 +21,7 @@ from ..core.light import FIRST_NM, LAST_NM
 from ..core.manifest import CompiledMaterial, ManifestError
 from ..materials import group as groups
 from ..materials import schema
-from ..materials.image import TABLE, table_pixels
+from ..materials.image import TABLE, fill
 from ..materials.material import describe, group_node
 from ..materials.recipe import (
     Recipe,
@@ -135,8 +135,7 @@ def preview(material: bpy.types.Material) -> bool:
         return False
     matrix = space.to_file()
     for name, texels in _quick_tables(wanted, _sizes(images), material.name).items():
-        images[name].pixels.foreach_set(table_pixels(texels, matrix))
-        images[name].update()
+        fill(images[name], texels, matrix)
         space.state(images[name])
     return True
 
@@ -219,7 +218,7 @@ def apply(material: bpy.types.Material, compiled: CompiledMaterial, made_from: R
     old = group_node(material).node_tree
     put_in_place(material, compiled, made_from, describe(material).form)
     if old != group_node(material).node_tree and old.users == 0:
-        _remove(old)
+        groups.remove(old)
 
 
 def finish(material: bpy.types.Material) -> None:
@@ -273,11 +272,3 @@ def _is_alone(tree: bpy.types.ShaderNodeTree) -> bool:
         not image.get(groups.DIGEST) and image.library is None and image.users <= used.count(image)
         for image in used
     )
-
-
-def _remove(tree: bpy.types.ShaderNodeTree) -> None:
-    images = {node.image for node in tree.nodes if node.type == "TEX_IMAGE"} - {None}
-    bpy.data.node_groups.remove(tree)
-    for image in images:
-        if image.users == 0:
-            bpy.data.images.remove(image)

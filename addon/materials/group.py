@@ -104,6 +104,15 @@ def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNod
     return group
 
 
+def remove(group: bpy.types.NodeTree) -> None:
+    """With the tables that nothing else has."""
+    images = {node.image for node in group.nodes if node.type == "TEX_IMAGE"} - {None}
+    bpy.data.node_groups.remove(group)
+    for image in images:
+        if image.users == 0:
+            bpy.data.images.remove(image)
+
+
 def socket_identifiers(group: bpy.types.NodeTree) -> dict[str, str]:
     """From manifest names to identifiers on the group's interface; empty where that is damaged."""
     try:

@@ -127,13 +127,22 @@ def _from_texels(material: CompiledMaterial, table: Table) -> bpy.types.Image:
         raise ManifestError(
             f"table {table.name}: must have shape {(table.height, table.width, 3)} (got {texels.shape})"
         )
-    image = bpy.data.images.new(
-        f"{material.id}_{table.name}", table.width, table.height, float_buffer=True, is_data=True
-    )
+    return image_of_texels(f"{material.id}_{table.name}", texels)
+
+
+def image_of_texels(name: str, texels) -> bpy.types.Image:
+    """A new one, of float32 (H, W, 3) with row 0 on top."""
+    height, width = texels.shape[:2]
+    image = bpy.data.images.new(name, width, height, float_buffer=True, is_data=True)
     image.alpha_mode = "NONE"  # now: setting it later, or a colour space, would drop the pixels
-    image.pixels.foreach_set(table_pixels(texels))
-    image.update()
+    fill(image, texels)
     return image
+
+
+def fill(image: bpy.types.Image, texels, matrix: Matrix | None = None) -> None:
+    """With other texels of its size, as `table_pixels` takes them."""
+    image.pixels.foreach_set(table_pixels(texels, matrix))
+    image.update()
 
 
 def table_pixels(texels, matrix: Matrix | None = None):

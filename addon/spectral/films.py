@@ -19,7 +19,7 @@ from ..core.form import NODES, OSL
 from ..core.library import Library
 from ..core.manifest import CompiledMaterial, ManifestError
 from ..materials import group as groups
-from ..materials.image import SIZE, TABLE, table_pixels
+from ..materials.image import SIZE, TABLE, fill, image_of_texels
 from ..materials.material import group_node
 from ..materials.recipe import RecipeError, compile_recipe, recipe, recipe_of_group
 from . import attributes
@@ -174,11 +174,7 @@ def use_former(tree: bpy.types.NodeTree) -> None:
         in_nodes, node.node_tree = node.node_tree, former
         del node[FORMER]
         if in_nodes.users == 0:
-            images = {inner.image for inner in _tables(in_nodes)}
-            bpy.data.node_groups.remove(in_nodes)
-            for image in images:
-                if image.users == 0:
-                    bpy.data.images.remove(image)
+            groups.remove(in_nodes)
 
 
 def formers() -> set[bpy.types.NodeTree]:
@@ -257,16 +253,15 @@ def in_bands(plan: Plan, *, at_once: bool) -> Iterator[Callable[[int], None]]:
 
     def show(number: int) -> None:
         for image, texels in made if not at_once else ():
-            _fill(image, texels[number])
+            fill(image, texels[number])
 
     try:
         for film in films():
             seen |= _readers_of_its_own(film.tree, seen)
             for name, texels in _tables_of_passes(film, plan).items():
                 shown = _in_columns(texels) if at_once else texels[0]
-                image = _new_image(shown.shape, f"{film.tree.name} {name} in bands")
+                image = image_of_texels(f"{film.tree.name} {name} in bands", shown)
                 made.append((image, texels))
-                _fill(image, shown)
                 for reader in _readers(film.tree):
                     if reader[BANDED] == name:
                         _put(reader, image, texels.shape, at_once=at_once)
@@ -329,15 +324,3 @@ def _in_columns(texels: np.ndarray) -> np.ndarray:
     cells[:passes] = texels
     grid = cells.reshape(columns, rows, height, width, channels)[:, ::-1].transpose(1, 2, 0, 3, 4)
     return grid.reshape(rows * height, columns * width, channels)
-
-
-def _new_image(shape: tuple[int, ...], name: str) -> bpy.types.Image:
-    height, width, _ = shape
-    image = bpy.data.images.new(name, width, height, float_buffer=True, is_data=True)
-    image.alpha_mode = "NONE"
-    return image
-
-
-def _fill(image: bpy.types.Image, texels: np.ndarray) -> None:
-    image.pixels.foreach_set(table_pixels(texels))
-    image.update()
