@@ -4,9 +4,10 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any
 
 import bpy
+import numpy as np
 
 from ..blender.denoise import is_possible
 from ..core.faults import ForeseenError
@@ -20,49 +21,48 @@ class EngineError(ForeseenError):
     """It cannot render bands."""
 
 
-class Engine(Protocol):
-    has_all_tables: bool
+class Engine:
+    """Of a scene."""
+
+    has_all_tables = True
     """Whether tables of all passes are there at once, and nothing is loaded anew from pass to pass."""
 
-    def samples(self, scene: bpy.types.Scene) -> int: ...
-    def denoises(self, scene: bpy.types.Scene) -> bool: ...
-    def settings(
-        self,
-        scene: bpy.types.Scene,
-        layer: bpy.types.ViewLayer,
-        plan: Plan,
-        samples: int,
-        denoise: bool,
-    ) -> list[Setting]:
+    def __init__(self, scene: bpy.types.Scene) -> None:
+        self.scene = scene
+
+    @property
+    def samples(self) -> int:
+        raise NotImplementedError
+
+    @property
+    def denoises(self) -> bool:
+        return False
+
+    def settings(self, plan: Plan, samples: int) -> list[Setting]:
         """While passes are rendered."""
+        raise NotImplementedError
 
-    def begin(self, scene: bpy.types.Scene, plan: Plan, number: int) -> None: ...
+    def begin(self, plan: Plan, number: int) -> None:
+        """The pass of a number is next; `settings` are in force."""
+        raise NotImplementedError
 
 
-class _Cycles:
+class _Cycles(Engine):
     """Every pixel gets consecutive parts of one sequence of samples, the same for all passes: what they
     have in common, light and shade, is as smooth as if it were one render, and what is left is hardly
     coloured."""
 
-    has_all_tables = True
+    @property
+    def samples(self) -> int:
+        return self.scene.cycles.samples
 
-    def samples(self, scene: bpy.types.Scene) -> int:
-        return scene.cycles.samples
+    @property
+    def denoises(self) -> bool:
+        return self.scene.cycles.use_denoising and is_possible()
 
-    def denoises(self, scene: bpy.types.Scene) -> bool:
-        return scene.cycles.use_denoising and is_possible()
-
-    def settings(
-        self,
-        scene: bpy.types.Scene,
-        layer: bpy.types.ViewLayer,
-        plan: Plan,
-        samples: int,
-        denoise: bool,
-    ) -> list[Setting]:
-        cycles, each = scene.cycles, samples_for(samples, plan.passes)
+    def settings(self, plan: Plan, samples: int) -> list[Setting]:
+        cycles, each = self.scene.cycles, samples_for(samples, plan.passes)
         wanted = [
-            (layer.cycles, "denoising_store_passes", denoise),
             (cycles, "use_adaptive_sampling", False),
             (cycles, "use_denoising", False),
             (cycles, "use_animated_seed", False),
@@ -78,8 +78,8 @@ class _Cycles:
             (cycles, "sample_subset_length", each),
         ]
 
-    def begin(self, scene: bpy.types.Scene, plan: Plan, number: int) -> None:
-        cycles = scene.cycles
+    def begin(self, plan: Plan, number: int) -> None:
+        cycles = self.scene.cycles
         each = cycles.sample_subset_length if _has_subsets(cycles) else cycles.samples
         cycles.sample_offset = number * each
 
@@ -89,32 +89,28 @@ def _has_subsets(cycles: bpy.types.bpy_struct) -> bool:
     return hasattr(cycles, "use_sample_subset")
 
 
-class _Eevee:
+class _Eevee(Engine):
     """It has no sequence to take parts of: each pass has all samples. Its textures are blurred where they
     are small, which would mix passes that lie in one picture. Of a lamp it takes the lamp's own colour, and
     no nodes."""
 
     has_all_tables = False
 
-    def samples(self, scene: bpy.types.Scene) -> int:
-        return scene.eevee.taa_render_samples
+    def __init__(self, scene: bpy.types.Scene) -> None:
+        super().__init__(scene)
+        self._lamps: dict[bpy.types.Light, np.ndarray] = {}
 
-    def denoises(self, scene: bpy.types.Scene) -> bool:
-        return False
+    @property
+    def samples(self) -> int:
+        return self.scene.eevee.taa_render_samples
 
-    def settings(
-        self,
-        scene: bpy.types.Scene,
-        layer: bpy.types.ViewLayer,
-        plan: Plan,
-        samples: int,
-        denoise: bool,
-    ) -> list[Setting]:
-        lamps = [(light, "color", tuple(light.color)) for light in lamps_in_bands(plan)]
-        return [(scene.eevee, "taa_render_samples", samples), *lamps]
+    def settings(self, plan: Plan, samples: int) -> list[Setting]:
+        self._lamps = lamps_in_bands(plan)
+        lamps = [(light, "color", tuple(light.color)) for light in self._lamps]
+        return [(self.scene.eevee, "taa_render_samples", samples), *lamps]
 
-    def begin(self, scene: bpy.types.Scene, plan: Plan, number: int) -> None:
-        for light, values in lamps_in_bands(plan).items():
+    def begin(self, plan: Plan, number: int) -> None:
+        for light, values in self._lamps.items():
             light.color = [float(values[k]) for k in plan.indices(number)]
 
 
@@ -127,7 +123,7 @@ def engine_of(scene: bpy.types.Scene) -> Engine:
     """Raises EngineError."""
     name = scene.render.engine
     if name == "CYCLES":
-        return _Cycles()
+        return _Cycles(scene)
     if name.startswith("BLENDER_EEVEE"):
-        return _Eevee()
+        return _Eevee(scene)
     raise EngineError(f"{name} has no bands: render with Cycles or EEVEE")

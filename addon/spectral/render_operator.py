@@ -73,7 +73,7 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
             groups.found_spectra(), -(-self.bands // 3) or None, films_nm=films.thicknesses_nm()
         )
         engine = engines.engine_of(scene)
-        samples, smooth = engine.samples(scene), engine.denoises(scene)
+        samples, smooth = engine.samples, engine.denoises
         passes = rendering.beside(path, scene, made, samples, denoise=smooth)
         passes.begin(resume=True)
         job = _Job(scene, passes, samples, path, smooth)

@@ -41,7 +41,8 @@ def prepared(
         (render, "use_compositing", False),
         (render, "use_sequencer", False),
         *((other, "use", other == layer) for other in scene.view_layers),
-        *engine.settings(scene, layer, plan, samples, denoise),
+        (layer.cycles, "denoising_store_passes", denoise),
+        *engine.settings(plan, samples),
     ]
     before = [(owner, name, getattr(owner, name)) for owner, name, _ in wanted]
     try:
@@ -50,7 +51,7 @@ def prepared(
         with films.in_bands(plan, at_once=engine.has_all_tables) as show_tables:
 
             def begin(number: int) -> None:
-                engine.begin(scene, plan, number)
+                engine.begin(plan, number)
                 show_tables(number)
                 attributes.put(scene, plan.properties(number))
 
