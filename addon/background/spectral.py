@@ -10,8 +10,10 @@ from pathlib import Path
 
 import bpy
 
+import nacre
+
 from ..blender import denoise
-from ..spectral import convert, films, groups, plan, rendering
+from ..spectral import convert, needs, plan, rendering
 from ..spectral.described import Described, SpectrumError
 from ..spectral.marks import WORLD
 from . import console
@@ -70,19 +72,22 @@ def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
     report = convert.make_spectral()
     for text in options.light:
         _give_light(scene, text)
-    passes = None if options.bands is None else options.bands // 3
-    made = plan.make(groups.found_spectra(), passes, films_nm=films.thicknesses_nm())
+    made = needs.plan_for(scene, None if options.bands is None else options.bands // 3)
     notes = [f"{remark.where}: {remark.text}" for remark in report.remarks]
     if made.choice is not None and not made.choice.met:
-        of_films = made.choice.held == "films"
-        error = made.choice.film_error if of_films else made.choice.error.mean
-        notes.append(
-            f"{len(made.bands)} bands, the most there are, show these "
-            f"{'films' if of_films else 'lights'} within ΔE00 {error:.2f} on average"
-        )
+        notes.append(f"{len(made.bands)} bands, the most there are, {_shortfall(made.choice)}")
     if options.denoise and not denoise.is_possible():
         notes.append(denoise.NOT_POSSIBLE)
     return Prepared(made, notes)
+
+
+def _shortfall(choice: nacre.BandChoice) -> str:
+    if choice.held == "spreads":
+        return f"leave steps of {choice.step_px:.1f} pixels between colours in dispersive glass"
+    of_films = choice.held == "films"
+    error = choice.film_error if of_films else choice.error.mean
+    what = "films" if of_films else "lights"
+    return f"show these {what} within ΔE00 {error:.2f} on average"
 
 
 def _give_light(scene: bpy.types.Scene, text: str) -> None:

@@ -21,6 +21,8 @@ from .traits import UNSAID, Traits, assumed, parse_traits
 
 SCHEMA = 1
 FORMS = ("osl", "nodes")
+BANDS = "bands"
+"""The form where bands of wavelengths are rendered; of materials that need one of their own."""
 SOCKET_TYPES = ("float", "int", "color", "normal", "tangent")
 DIRECTIONS = ("normal", "tangent")  # left to the geometry where nothing is plugged in
 THICKNESSES = ("thickness_nm", "thickness_scale")
@@ -362,9 +364,9 @@ def _parse_graphs(
     table_names = [table.name for table in tables]
     graphs = {
         form: parse_graph(data[form], f"{where}.{form}", names, table_names, problems)
-        for form in FORMS
+        for form in (*FORMS, BANDS)
         if data.get(form) is not None
     }
-    if not graphs:
+    if not any(form in graphs for form in FORMS):
         problems.append(f"{where}: must have a graph for one of {', '.join(FORMS)}")
     return graphs

@@ -10,7 +10,7 @@ what the colour is summed with, so that it can be summed anew for another light 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -65,8 +65,14 @@ def write(
     *,
     rgb: np.ndarray | None = None,
     alpha: np.ndarray | None = None,
+    groups: Mapping[str, np.ndarray] | None = None,
+    lights: Sequence[Mapping[str, object]] = (),
 ) -> None:
     """A picture of `radiance`, float32 (height, width, N), per nm in each band, row 0 on top.
+
+    groups: the same of some of the lamps, by the name of their light group; lights: for those layers whose
+    lamps are of one light, `layer` (empty for the whole), `light`, its name, and its `power` in each band, of
+    Y = 1.
 
     rgb: (height, width, 3), what the colour is to be instead of the sum over bands, as after
     denoising; alpha: (height, width). space: of the colour, the matrix to XYZ with white D65.
@@ -78,13 +84,17 @@ def write(
         "emissiveUnits": "relative",
         "chromaticities": chromaticities(space),
         "nacre:bands": bands.text(),
+        **({"nacre:lights": json.dumps(list(lights), separators=(",", ":"))} if lights else {}),
     }
+    layers = {} if groups is None else groups
     names = ["R", "G", "B", *([] if alpha is None else ["A"]), *bands.channels]
+    names += [f"{group}.{name}" for group in layers for name in bands.channels]
     with ExrWriter(path, width, height, names, attributes) as writer:
         for row in range(0, height, LINES_OF_ZIP):
             lines = slice(row, row + LINES_OF_ZIP)
             seen = colour(radiance[lines], bands, space) if rgb is None else rgb[lines]
             parts = [seen, *([] if alpha is None else [alpha[lines, :, None]]), radiance[lines]]
+            parts += [of_group[lines] for of_group in layers.values()]
             writer.append(np.concatenate(parts, axis=-1, dtype=np.float32))
 
 

@@ -22,7 +22,7 @@ from ..core.manifest import CompiledMaterial, ManifestError
 from ..materials import group as groups
 from ..materials import schema
 from ..materials.image import TABLE, fill
-from ..materials.material import describe, group_node
+from ..materials.material import asked_form, group_node
 from ..materials.recipe import (
     Recipe,
     compile_recipe,
@@ -216,7 +216,7 @@ def _sizes(images: Mapping[str, bpy.types.Image]) -> dict[str, tuple[int, int]]:
 def apply(material: bpy.types.Material, compiled: CompiledMaterial, made_from: Recipe) -> None:
     """Puts what was compiled in place; values and links are kept."""
     old = group_node(material).node_tree
-    put_in_place(material, compiled, made_from, describe(material).form)
+    put_in_place(material, compiled, made_from, asked_form(material))
     if old != group_node(material).node_tree and old.users == 0:
         groups.remove(old)
 

@@ -13,7 +13,7 @@ import bpy
 from ..blender.formula import Formula, Operand
 from ..core.form import NODES
 from ..core.graph import Graph
-from ..core.manifest import CompiledMaterial
+from ..core.manifest import BANDS, CompiledMaterial
 from ..materials import group as groups
 from ..materials import material as materials
 
@@ -45,7 +45,11 @@ _FLAT = "sharp_face"  # Blender's own attribute; there is none where all faces a
 
 def suits(material: CompiledMaterial, form: str) -> bool:
     """As nodes, which EEVEE runs, of what stones are cut from."""
-    return form == NODES and _GEM in material.tags and _is_one_interface(material.graphs[form])
+    return (
+        form in (NODES, BANDS)
+        and _GEM in material.tags
+        and _is_one_interface(material.graphs[form])
+    )
 
 
 def _is_one_interface(graph: Graph) -> bool:

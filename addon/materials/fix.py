@@ -13,7 +13,7 @@ from . import group as groups
 from . import recipe as recipes
 from . import scene as scene_setup
 from .guard import allows_change, reports_errors
-from .material import describe, group_node
+from .material import asked_form, group_node
 from .subject import active_material
 
 
@@ -110,7 +110,7 @@ class NACRE_OT_rebuild_material(bpy.types.Operator):
             compiled = recipes.compile_recipe(made_from, material.name)
         else:
             made_from, compiled = None, Library.default().load(tree[groups.MATERIAL])
-        wanted = describe(material).form if self.form == "same" else self.form
+        wanted = asked_form(material) if self.form == "same" else self.form
         form = choose_form(compiled, wanted, scene_setup.renderer(context.scene))
         recipes.put_in_place(material, compiled, made_from, form)
         scene_setup.serve(context.scene, form, compiled.wavelength_per_path)

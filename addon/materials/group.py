@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,7 +14,7 @@ import bpy
 from ..blender import space
 from ..core import presets
 from ..core.form import OSL
-from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph
+from ..core.graph import GROUP_INPUT, GROUP_OUTPUT, Endpoint, Graph, Node
 from ..core.manifest import DIRECTIONS, CompiledMaterial, ManifestError, Socket
 from ..core.space import Matrix, converted
 from .image import TABLE_CONTENT, drop_unused, is_missing, table_image
@@ -67,6 +67,13 @@ class Addition:
 
 ADDITIONS: list[Addition] = []
 
+Blocks = Mapping[str, Callable[[], bpy.types.ShaderNodeTree]]
+"""What makes the groups that graphs have as nodes of a type of ours, by that type."""
+
+FORMER = "nacre_former"
+"""Custom property of a node with a group of ours: the group of the form that is asked for, while one of another
+form is in its place."""
+
 _SOCKET_TYPES = {
     "float": "NodeSocketFloat",
     "int": "NodeSocketInt",
@@ -77,7 +84,9 @@ _SOCKET_TYPES = {
 _COLUMN, _ROW = 220.0, 190.0
 
 
-def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNodeTree:
+def material_group(
+    material: CompiledMaterial, form: str, blocks: Blocks | None = None
+) -> bpy.types.ShaderNodeTree:
     """The material's group; one of the same template and shader in the file is used again, unless
     it is linked: that one may change with its own file. Nor is one whose tables are gone."""
     additions = [addition for addition in ADDITIONS if addition.suits(material, form)]
@@ -93,7 +102,7 @@ def material_group(material: CompiledMaterial, form: str) -> bpy.types.ShaderNod
             return group
     group = bpy.data.node_groups.new(material.name, "ShaderNodeTree")
     try:
-        _fill(group, material, material.graphs[form])
+        _fill(group, material, material.graphs[form], blocks or {})
         for addition in additions:
             addition.add(group)
     except Exception:
@@ -152,7 +161,9 @@ def _tag(group: bpy.types.NodeTree, material: CompiledMaterial, form: str) -> No
     space.state(group)
 
 
-def _fill(group: bpy.types.NodeTree, material: CompiledMaterial, graph: Graph) -> None:
+def _fill(
+    group: bpy.types.NodeTree, material: CompiledMaterial, graph: Graph, blocks: Blocks
+) -> None:
     matrix = space.to_file(material.to_xyz_d65)
     for socket in material.sockets:
         _add_interface_socket(group, socket, matrix)
@@ -163,7 +174,7 @@ def _fill(group: bpy.types.NodeTree, material: CompiledMaterial, graph: Graph) -
         GROUP_OUTPUT: group.nodes.new("NodeGroupOutput"),
     }
     for item in graph.nodes:
-        nodes[item.id] = _add_node(group, material, item)
+        nodes[item.id] = _add_node(group, material, item, blocks)
     for source, target in graph.links:
         group.links.new(
             _source_socket(group, nodes, source, material), _find(nodes, target, "inputs")
@@ -188,11 +199,15 @@ def _add_interface_socket(group: bpy.types.NodeTree, socket: Socket, matrix: Mat
             item.subtype = "FACTOR"
 
 
-def _add_node(group: bpy.types.NodeTree, material: CompiledMaterial, item) -> bpy.types.Node:
+def _add_node(
+    group: bpy.types.NodeTree, material: CompiledMaterial, item: Node, blocks: Blocks
+) -> bpy.types.Node:
     try:
-        node = group.nodes.new(item.type)
+        node = group.nodes.new("ShaderNodeGroup" if item.type in blocks else item.type)
     except RuntimeError as error:
         raise ManifestError(f"{material.id}: node {item.id}: unknown type {item.type!r}") from error
+    if item.type in blocks:
+        node.node_tree = blocks[item.type]()
     node.name = node.label = item.id
     for name, value in item.properties.items():
         setattr(node, name, value)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 import bpy
@@ -14,6 +15,13 @@ from ..core.space import Matrix
 
 DIGEST, TABLE, FALLBACK, SIZE = "nacre_digest", "nacre_table", "nacre_fallback", "nacre_size"
 TABLE_CONTENT = "nacre_table_content"  # of a node: what its image is a table of
+
+
+def tables_of(tree: bpy.types.NodeTree) -> Iterator[bpy.types.ShaderNodeTexImage]:
+    """Nodes that read tables."""
+    for node in tree.nodes:
+        if node.type == "TEX_IMAGE" and node.image is not None and TABLE in node.image:
+            yield node
 
 
 def table_image(material: CompiledMaterial, table: Table) -> bpy.types.Image:

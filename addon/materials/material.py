@@ -160,6 +160,12 @@ def describe(material: bpy.types.Material) -> AssignedMaterial:
     )
 
 
+def asked_form(material: bpy.types.Material) -> str:
+    """The form that a material has, also while another one is in its place."""
+    node = group_node(material)
+    return (node.get(groups.FORMER) or node.node_tree).get(groups.FORM, OSL)
+
+
 def notes(material: bpy.types.Material) -> list[str]:
     """What is worth knowing of how the material was compiled, one sentence each."""
     found = group_node(material).node_tree.get(groups.NOTES)

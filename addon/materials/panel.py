@@ -183,7 +183,10 @@ def _draw_form(layout, node) -> None:
     form = tree.get(groups.FORM)
     row = layout.row(align=True)
     names = {OSL: "Open Shading Language", NODES: "Nodes"}
-    row.label(text=f"{node.label or tree.name}, as {names.get(form, form)}", icon="NODETREE")
+    said = "Nodes while it is spectral" if groups.FORMER in node else names.get(form, form)
+    row.label(text=f"{node.label or tree.name}, as {said}", icon="NODETREE")
+    if groups.FORMER in node:
+        return
     if form == NODES and scene_setup.has_osl():
         row.operator("nacre.rebuild_material", text="Use OSL").form = OSL
     elif form == OSL and not tree.get(groups.WAVELENGTHS, False):

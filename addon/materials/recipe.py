@@ -16,7 +16,7 @@ from ..core.library import Library
 from ..core.light import USUAL, Conditions, conditions_problem
 from ..core.manifest import CompiledMaterial, ManifestError, from_memory
 from . import group as groups
-from .material import describe, group_node, rebuild_material
+from .material import asked_form, group_node, rebuild_material
 
 TEMPLATE = "nacre_template"
 CONDITIONS = Conditions("nacre_illuminant", "nacre_observer", "nacre_adaptation")
@@ -91,7 +91,7 @@ def revert(material: bpy.types.Material) -> None:
     for name in (TEMPLATE, *CONDITIONS):
         if name in material:
             del material[name]
-    rebuild_material(material, compiled, describe(material).form)
+    rebuild_material(material, compiled, asked_form(material))
 
 
 def compile_recipe(wanted: Recipe, name: str) -> CompiledMaterial:

@@ -20,6 +20,10 @@ CENTRE_NM, HALF_WIDTH_NM = 595.0, 235.0
 """The variable of polynomials of upsampled colours is −1 at 360 nm and 1 at 830 nm."""
 WAVELENGTHS = "nacre_wavelengths"
 """That variable of the three bands."""
+LIVE = "nacre_live"
+"""1 for the one of the three bands that goes through dispersive glass in a pass, 0 for the others."""
+LIVE_NM = "nacre_live_nm"
+"""Its wavelength."""
 
 BASIS = ("nacre_basis_red", "nacre_basis_green", "nacre_basis_blue")
 """Reflectances of the primaries of Rec.709 in the three bands."""
@@ -44,7 +48,9 @@ def take_away(owner: Owner) -> None:
 
 
 def _is_ours(name: str) -> bool:
-    return name in (IS_SPECTRAL, PASS, WAVELENGTHS, *BASIS) or name.startswith(PREFIX)
+    return name in (IS_SPECTRAL, PASS, WAVELENGTHS, LIVE, LIVE_NM, *BASIS) or name.startswith(
+        PREFIX
+    )
 
 
 def triple(formula: Formula, name: str) -> bpy.types.NodeSocket:

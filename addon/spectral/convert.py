@@ -16,7 +16,7 @@ import bpy
 from ..blender import animation
 from ..blender.space import of_file
 from ..core.space import REC709, conversion, converted
-from . import films
+from . import films, forms
 from .attributes import CENTRE_NM, HALF_WIDTH_NM
 from .described import EMISSION, REFLECTANCE, Described, SpectrumError
 from .groups import (
@@ -79,7 +79,7 @@ _GREY = 1e-6
 def make_spectral() -> Report:
     """Everything of the file that is its own; what is spectral already stays as it is."""
     report = Report()
-    _convert_films(trees(), report)
+    _convert_ours(trees(), report)
     for light in bpy.data.lights:
         _convert_lamp(light, report)
     for kind, owners in (("world", bpy.data.worlds), ("material", bpy.data.materials)):
@@ -88,7 +88,7 @@ def make_spectral() -> Report:
                 report.remarks.append(Remark(kind, owner.name, LINKED))
             elif owner.use_nodes and owner.node_tree is not None:
                 _convert_tree(owner.node_tree, kind, owner.name, report)
-    laid_by = films.formers()
+    laid_by = forms.formers()
     for group in bpy.data.node_groups:
         if group.bl_idname == "ShaderNodeTree" and not is_ours(group) and group not in laid_by:
             if group.library is not None:
@@ -103,8 +103,8 @@ def follow(material: bpy.types.Material) -> None:
     if material.library is not None:
         return
     report, tree = Report(), material.node_tree
-    films.forget_former(material)
-    _convert_films([tree], report)
+    forms.forget_former(material)
+    _convert_ours([tree], report)
     _convert_tree(tree, "material", material.name, report)
 
 
@@ -121,7 +121,7 @@ def make_rgb() -> int:
             light.use_nodes = bool(light[MADE]["use_nodes"])
             del light[MADE]
     for tree in trees():
-        films.use_former(tree)
+        count += forms.use_former(tree)
     for group in [group for group in bpy.data.node_groups if is_ours(group)]:
         if group.users == 0:
             bpy.data.node_groups.remove(group)
@@ -211,10 +211,10 @@ def _is_constant(socket: bpy.types.NodeSocket) -> bool:
     return not socket.is_linked and not animation.is_animated(socket)
 
 
-def _convert_films(users: Iterable[bpy.types.NodeTree], report: Report) -> None:
-    """Before what they are used in, since their own colours then meet tables in bands."""
+def _convert_ours(users: Iterable[bpy.types.NodeTree], report: Report) -> None:
+    """Before what they are used in, since colours of films then meet tables in bands."""
     for tree in users:
-        films.use_nodes(tree, report)
+        forms.use_bands(tree, report)
         for node in tree.nodes:
             group = node.node_tree if node.type == "GROUP" else None
             if group is not None and group.library is None and films.has_tables(group):

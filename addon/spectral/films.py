@@ -15,16 +15,16 @@ import numpy as np
 
 from ..blender.formula import Formula
 from ..core.faults import ForeseenError
-from ..core.form import NODES, OSL
-from ..core.library import Library
-from ..core.manifest import CompiledMaterial, ManifestError
+from ..core.form import NODES
+from ..core.manifest import ManifestError
 from ..materials import group as groups
-from ..materials.image import SIZE, TABLE, fill, image_of_texels
+from ..materials.image import SIZE, TABLE, fill, image_of_texels, tables_of
 from ..materials.material import group_node
-from ..materials.recipe import RecipeError, compile_recipe, recipe, recipe_of_group
+from ..materials.recipe import RecipeError, recipe, recipe_of_group
 from . import attributes
+from .forms import reads_tables
 from .groups import choice, end
-from .marks import BANDED, BEFORE, FORMER, MADE, trees
+from .marks import BANDED, BEFORE, MADE
 from .plan import Plan
 from .report import Remark, Report
 
@@ -41,7 +41,7 @@ class FilmError(ForeseenError):
 
 def has_tables(tree: bpy.types.NodeTree) -> bool:
     """Whether a group is that of a film: of ours, and reads tables."""
-    return groups.MATERIAL in tree and any(_tables(tree))
+    return groups.MATERIAL in tree and reads_tables(tree)
 
 
 def is_banded(tree: bpy.types.NodeTree) -> bool:
@@ -59,7 +59,7 @@ def convert(tree: bpy.types.NodeTree, report: Report) -> None:
         text = f"{error}; its colours are taken for mixtures of three spectra"
         report.remarks.append(Remark("node group", tree.name, text))
         return
-    for node in list(_tables(tree)):
+    for node in list(tables_of(tree)):
         output, place = node.outputs["Color"], node.inputs["Vector"]
         targets = [link.to_socket for link in output.links]
         if not place.is_linked or any(MADE in target.node for target in targets):
@@ -74,12 +74,6 @@ def convert(tree: bpy.types.NodeTree, report: Report) -> None:
         for target in targets:
             tree.links.new(banded.outputs["Color"], target)
         report.spectra += 1
-
-
-def _tables(tree: bpy.types.NodeTree) -> Iterator[bpy.types.ShaderNodeTexImage]:
-    for node in tree.nodes:
-        if node.type == "TEX_IMAGE" and node.image is not None and TABLE in node.image:
-            yield node
 
 
 def _banded(tree: bpy.types.NodeTree) -> Iterator[bpy.types.ShaderNodeGroup]:
@@ -134,62 +128,6 @@ def _size(image: bpy.types.Image) -> tuple[int, int]:
     return int(width), int(height)
 
 
-def use_nodes(tree: bpy.types.NodeTree, report: Report) -> None:
-    """Films in OSL get their form in nodes, which has the same sockets; what is in OSL is kept for
-    `use_former`."""
-    for node in tree.nodes:
-        group = node.node_tree if node.type == "GROUP" else None
-        if group is None or group.get(groups.FORM) != OSL or not has_tables(group):
-            continue
-        if group.library is not None:
-            continue  # make_spectral() says that it stays
-        try:
-            in_nodes = groups.material_group(_compiled(group), NODES)
-        except (RecipeError, ManifestError) as error:
-            report.remarks.append(Remark("node group", group.name, f"{error}; stays RGB"))
-            continue
-        if groups.socket_identifiers(in_nodes) != groups.socket_identifiers(group):
-            report.remarks.append(
-                Remark("node group", group.name, "its inputs were changed; stays RGB")
-            )
-            continue
-        node[FORMER] = group
-        node.node_tree = in_nodes
-
-
-def _compiled(group: bpy.types.NodeTree) -> CompiledMaterial:
-    """From the library, where that is what the group was made of. Raises RecipeError, ManifestError."""
-    with contextlib.suppress(ManifestError):
-        known = Library.default().load(group[groups.MATERIAL])
-        if known.digest == group.get(groups.DIGEST):
-            return known
-    return compile_recipe(recipe_of_group(group, group.name), group.name)
-
-
-def use_former(tree: bpy.types.NodeTree) -> None:
-    for node in tree.nodes:
-        former = node.get(FORMER)
-        if former is None:
-            continue
-        in_nodes, node.node_tree = node.node_tree, former
-        del node[FORMER]
-        if in_nodes.users == 0:
-            groups.remove(in_nodes)
-
-
-def formers() -> set[bpy.types.NodeTree]:
-    """Groups in OSL that wait for `use_former` and are in use nowhere."""
-    nodes = [node for tree in trees() for node in tree.nodes if node.type == "GROUP"]
-    return {node[FORMER] for node in nodes if FORMER in node} - {node.node_tree for node in nodes}
-
-
-def forget_former(material: bpy.types.Material) -> None:
-    """Of a film that has become another one."""
-    node = group_node(material)
-    if node is not None and FORMER in node:
-        del node[FORMER]
-
-
 @dataclass(frozen=True)
 class Film:
     """A group whose tables are read in bands, and what it is made from at present."""
@@ -211,10 +149,26 @@ class Film:
     def optical_thickness_nm(self) -> float:
         import nacre
 
-        try:
+        with _told():
             return nacre.optical_thickness(self.template, self.tree.name)
-        except nacre.NacreError as error:
-            raise FilmError(str(error)) from error
+
+    @property
+    def fringes(self) -> np.ndarray:
+        """Its reflectance at some thicknesses, (T, 471)."""
+        import nacre
+
+        with _told():
+            return nacre.film_fringes(self.template, file=self.tree.name)
+
+
+@contextlib.contextmanager
+def _told() -> Iterator[None]:
+    import nacre
+
+    try:
+        yield
+    except nacre.NacreError as error:
+        raise FilmError(str(error)) from error
 
 
 def films() -> list[Film]:
@@ -231,9 +185,14 @@ def films() -> list[Film]:
     ]
 
 
-def thicknesses_nm() -> tuple[float, ...]:
-    """What bands are chosen by. Raises FilmError."""
-    return tuple(sorted({film.optical_thickness_nm for film in films()} - {0.0}))
+def fringes() -> dict[float, np.ndarray]:
+    """What bands are chosen by: reflectances of films (T, 471), by their optical thickness in nm. Raises
+    FilmError."""
+    found: dict[float, list[np.ndarray]] = {}
+    for film in films():
+        if film.optical_thickness_nm > 0.0:
+            found.setdefault(film.optical_thickness_nm, []).append(film.fringes)
+    return {nm: np.concatenate(rows) for nm, rows in found.items()}
 
 
 def digest() -> str:
@@ -253,7 +212,7 @@ def in_bands(plan: Plan, *, at_once: bool) -> Iterator[Callable[[int], None]]:
 
     def show(number: int) -> None:
         for image, texels in made if not at_once else ():
-            fill(image, texels[number])
+            fill(image, texels[plan.triple(number)])
 
     try:
         for film in films():
@@ -292,13 +251,11 @@ def _tables_of_passes(film: Film, plan: Plan) -> dict[str, np.ndarray]:
     sizes = film.sizes
     key = (film.template, tuple(sorted(sizes.items())))
     if key not in plan.kept:
-        passes = [plan.indices(number) for number in range(plan.passes)]
-        try:
+        passes = [plan.indices(number) for number in range(plan.triples)]
+        with _told():
             plan.kept[key] = nacre.band_tables(
                 film.template, plan.bands, passes, sizes, film.tree.name
             )
-        except nacre.NacreError as error:
-            raise FilmError(str(error)) from error
     return plan.kept[key]
 
 

@@ -16,8 +16,8 @@ UPSAMPLING = "nacre_upsampling"
 """Custom property of a group that makes spectra of colours: which one it is."""
 BANDED = "nacre_banded"
 """Custom property of a group that reads a film's table in bands: which table."""
-FORMER = "nacre_former"
-"""Custom property of a node of a film: its group in OSL, while one of nodes is in its place."""
+BLOCK = "nacre_block"
+"""Custom property of a group that forms for bands are built of: which one it is."""
 MADE = "nacre_made_spectral"
 """Custom property of nodes that were put in, and of lamps: what they were before."""
 
@@ -31,7 +31,7 @@ def is_spectral() -> bool:
 
 
 def is_ours(group: bpy.types.NodeTree) -> bool:
-    return any(mark in group for mark in (SPECTRUM, UPSAMPLING, BANDED))
+    return any(mark in group for mark in (SPECTRUM, UPSAMPLING, BANDED, BLOCK))
 
 
 def trees() -> Iterator[bpy.types.NodeTree]:

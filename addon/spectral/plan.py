@@ -13,8 +13,20 @@ import numpy as np
 import nacre
 
 from ..core.faults import ForeseenError
-from .attributes import BASIS, IS_SPECTRAL, PASS, WAVELENGTHS, Values, polynomial_variable
+from .attributes import (
+    BASIS,
+    IS_SPECTRAL,
+    LIVE,
+    LIVE_NM,
+    PASS,
+    WAVELENGTHS,
+    Values,
+    polynomial_variable,
+)
 from .described import DAYLIGHT, EMISSION, Described
+
+_EVERY_NM = np.arange(360.0, 831.0)
+_LINE_F_NM, _LINE_C_NM = 486.1327, 656.2725
 
 
 class PlanError(ForeseenError):
@@ -23,59 +35,104 @@ class PlanError(ForeseenError):
 
 @dataclass(frozen=True)
 class Plan:
-    """N passes of three bands; `values`: of each property in each band, (3 N,)."""
+    """3 N bands, three a pass; `values`: of each property in each band, (3 N,).
+
+    Where something disperses light each three are rendered thrice, as only one of them at a time goes
+    through it.
+    """
 
     bands: nacre.Bands
     values: dict[str, np.ndarray]
     choice: nacre.BandChoice | None = None
+    disperses: bool = False
     kept: dict[Any, Any] = field(default_factory=dict, repr=False, compare=False)
     """What is made for it once, of all frames."""
 
     @property
-    def passes(self) -> int:
+    def triples(self) -> int:
         return len(self.bands) // 3
+
+    @property
+    def turns(self) -> int:
+        """How often each band is rendered."""
+        return 3 if self.disperses else 1
+
+    @property
+    def passes(self) -> int:
+        return self.triples * self.turns
+
+    def triple(self, number: int) -> int:
+        """Which three a pass renders."""
+        return number % self.triples
 
     def indices(self, number: int) -> tuple[int, int, int]:
         """Bands of a pass, far from each other: colour noise of neighbours adds up, of others it
         cancels out."""
-        return number, number + self.passes, number + 2 * self.passes
+        first = self.triple(number)
+        return first, first + self.triples, first + 2 * self.triples
 
     def properties(self, number: int) -> Values:
         """What nodes are told in this pass."""
         indices = self.indices(number)
         variables = [polynomial_variable(self.bands.wavelength_nm[k]) for k in indices]
-        return {
+        values = {name: [float(of_all[k]) for k in indices] for name, of_all in self.values.items()}
+        told = {
             IS_SPECTRAL: 1.0,
-            PASS: float(number),
+            PASS: float(self.triple(number)),
             WAVELENGTHS: variables,
-            **{name: [float(of_all[k]) for k in indices] for name, of_all in self.values.items()},
+            **values,
         }
+        if self.disperses:
+            live = number // self.triples
+            told[LIVE] = [float(channel == live) for channel in range(3)]
+            told[LIVE_NM] = float(self.bands.wavelength_nm[indices[live]])
+        return told
 
 
 def make(
     spectra: Mapping[str, Described],
-    passes: int | None = None,
+    triples: int | None = None,
     *,
-    films_nm: tuple[float, ...] = (),
+    films: Mapping[float, np.ndarray] | None = None,
+    spread_px: float | None = None,
     observer: str = "cie1931",
 ) -> Plan:
-    """passes: None for as many as lights and films need. Raises PlanError."""
+    """Of as many bands as are needed where no number of triples is given. films: reflectances (T, 471) by
+    optical thickness; spread_px: how far from each other
+    what disperses sends the lines F and C; None where nothing does. Raises PlanError."""
     lights = [found.as_light for found in spectra.values() if found.kind == EMISSION] or [
         DAYLIGHT.as_light
     ]
     choice = None
     try:
-        if passes is None:
-            bands, choice = nacre.choose_bands(lights, films_nm=films_nm, observer=observer)
+        if triples is None:
+            needs = {**_fringes(films or {}), **_spread(spread_px)}
+            bands, choice = nacre.choose_bands(
+                lights, wavelength_nm=_EVERY_NM, observer=observer, **needs
+            )
         else:
-            bands = nacre.bands(3 * passes, lights, observer)
+            bands = nacre.bands(3 * triples, lights, observer)
     except nacre.NacreError as error:
         raise PlanError(str(error)) from error
     values = {name: in_bands(bands, found) for name, found in spectra.items()}
-    nm = np.arange(360.0, 831.0)
     for name, reflectance in zip(BASIS, nacre.rgb_basis().T, strict=True):
-        values[name] = np.interp(bands.wavelength_nm, nm, reflectance)
-    return Plan(bands, values, choice)
+        values[name] = np.interp(bands.wavelength_nm, _EVERY_NM, reflectance)
+    return Plan(bands, values, choice, spread_px is not None)
+
+
+def _fringes(films: Mapping[float, np.ndarray]) -> dict[str, Any]:
+    if not films:
+        return {}
+    thicknesses = [nm for nm, rows in films.items() for _ in rows]
+    return {"films_nm": thicknesses, "film_reflectances": np.concatenate(list(films.values()))}
+
+
+def _spread(spread_px: float | None) -> dict[str, Any]:
+    """By Cauchy's formula of two terms."""
+    if spread_px is None:
+        return {}
+    of_f, of_c = _LINE_F_NM**-2, _LINE_C_NM**-2
+    return {"spreads_px": [spread_px * (_EVERY_NM**-2 - of_c) / (of_f - of_c)]}
 
 
 def in_bands(bands: nacre.Bands, spectrum: Described) -> np.ndarray:

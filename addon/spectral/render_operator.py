@@ -64,14 +64,12 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
 
     @reports_errors
     def execute(self, context):
-        from . import engines, films, groups, plan, rendering
+        from . import engines, needs, rendering
 
         path = Path(bpy.path.abspath(self.filepath)).absolute().with_suffix(".exr")
         output.check([path])
         scene = context.scene
-        made = plan.make(
-            groups.found_spectra(), -(-self.bands // 3) or None, films_nm=films.thicknesses_nm()
-        )
+        made = needs.plan_for(scene, -(-self.bands // 3) or None)
         engine = engines.engine_of(scene)
         samples, smooth = engine.samples, engine.denoises
         passes = rendering.beside(path, scene, made, samples, denoise=smooth)

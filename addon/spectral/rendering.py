@@ -18,7 +18,7 @@ from ..blender.denoise import denoised
 from ..blender.space import of_file
 from ..core import exr, spectral_image
 from ..core.whole_file import write_whole
-from . import attributes, films
+from . import attributes, films, light_groups
 from .described import DAYLIGHT
 from .engines import engine_of
 from .plan import Plan, in_bands
@@ -72,6 +72,7 @@ class Passes:
     folder: Path
     plan: Plan
     told: str
+    groups: tuple[str, ...] = ()
 
     @property
     def files(self) -> list[Path]:
@@ -109,12 +110,15 @@ def beside(
 ) -> Passes:
     """In a folder beside the picture."""
     render = scene.render
+    groups = light_groups.names_of(scene, layer_of(scene))
     told = {
         "bands": table_of(plan).text(),
         "values": {
             name: [float(value) for value in of_all] for name, of_all in plan.values.items()
         },
         "films": films.digest(),
+        "disperses": plan.disperses,
+        "groups": groups,
         "engine": render.engine,
         "samples": samples,
         "denoise": denoise,
@@ -123,16 +127,19 @@ def beside(
         "frame": scene.frame_current,
         "file": bpy.data.filepath,
     }
-    return Passes(path.with_name(f"{path.name}.passes"), plan, json.dumps(told, sort_keys=True))
+    folder = path.with_name(f"{path.name}.passes")
+    return Passes(folder, plan, json.dumps(told, sort_keys=True), tuple(groups))
 
 
 @dataclass(frozen=True)
 class Rendered:
-    """All passes together, row 0 on top. radiance: float32 (height, width, N) per nm; alpha: (height,
-    width); albedo and normal, (height, width, 3): what denoising goes by, where that was wanted."""
+    """All passes together, row 0 on top. radiance: float32 (height, width, N) per nm; groups: the same of
+    each light group; alpha: (height, width); albedo and normal, (height, width, 3): what denoising goes by,
+    where that was wanted."""
 
     plan: Plan
     radiance: np.ndarray
+    groups: dict[str, np.ndarray]
     alpha: np.ndarray
     albedo: np.ndarray | None
     normal: np.ndarray | None
@@ -147,8 +154,9 @@ def rendered(passes: Passes) -> Rendered:
     """From all files. Raises ExrError."""
     plan, files = passes.plan, passes.files
     width, height = exr.size_of(files[0])
-    radiance = np.empty((height, width, len(plan.bands)), np.float32)
-    albedos = np.empty_like(radiance)
+    radiance = np.zeros((height, width, len(plan.bands)), np.float32)
+    groups = {name: np.zeros_like(radiance) for name in passes.groups}
+    albedos = np.zeros_like(radiance)
     alpha = np.zeros((height, width), np.float32)
     normal = np.zeros((height, width, 3), np.float32)
     guided = True
@@ -160,18 +168,21 @@ def rendered(passes: Passes) -> Rendered:
             return np.stack(values, axis=-1).reshape(height, width, len(names))
 
         indices = list(plan.indices(number))
-        radiance[..., indices] = of("Combined.R", "Combined.G", "Combined.B")
+        radiance[..., indices] += of(*(f"Combined.{channel}" for channel in "RGB")) / plan.turns
+        for name, of_group in groups.items():
+            shown = (f"{light_groups.pass_of(name)}.{channel}" for channel in "RGB")
+            of_group[..., indices] += of(*shown) / plan.turns
         alpha += of("Combined.A")[..., 0] / len(files)
         guided = guided and "Denoising Albedo.R" in channels
         if guided:
             albedo = (f"Denoising Albedo.{channel}" for channel in "RGB")
-            albedos[..., indices] = of(*albedo)
+            albedos[..., indices] += of(*albedo) / plan.turns
             normal += of(*(f"Denoising Normal.{axis}" for axis in "XYZ")) / len(files)
     if not guided:
-        return Rendered(plan, radiance, alpha, None, None)
+        return Rendered(plan, radiance, groups, alpha, None, None)
     daylight = in_bands(plan.bands, DAYLIGHT).astype(np.float32)
     under_daylight = spectral_image.colour(albedos * daylight, table_of(plan), of_file())
-    return Rendered(plan, radiance, alpha, under_daylight, normal)
+    return Rendered(plan, radiance, groups, alpha, under_daylight, normal)
 
 
 def table_of(plan: Plan) -> spectral_image.BandTable:
@@ -195,7 +206,17 @@ def write(found: Rendered, rgb: np.ndarray, scene: bpy.types.Scene, path: Path) 
     """The spectral picture. Raises OSError that names the path."""
     alpha = found.alpha if scene.render.film_transparent else None
     table = table_of(found.plan)
-    spectral_image.write(path, table, of_file(), found.radiance, rgb=rgb, alpha=alpha)
+    lights = light_groups.lights_of(scene, list(found.groups), found.plan)
+    spectral_image.write(
+        path,
+        table,
+        of_file(),
+        found.radiance,
+        rgb=rgb,
+        alpha=alpha,
+        groups=found.groups,
+        lights=lights,
+    )
 
 
 def as_image(rgb: np.ndarray, alpha: np.ndarray, name: str) -> bpy.types.Image:

@@ -134,11 +134,10 @@ def test_films_ask_for_more_passes_than_paint():
     assert (paint.passes, paint.held) == (8, "lights")
     assert film.passes > 16
     assert film.held == "films"
-    assert glass.passes > 16
+    assert 60 / 1.3 < 3 * glass.passes < 120
     assert glass.held == "spreads"
     _, paper = nacre.choose_bands(["F11"], wavelength_nm=[400, 700], reflectances=[1.0, 1.0])
     assert paper.error.max < 1e-3
-    assert all(choice.passes % 3 for choice in (paint, film, glass))
 
 
 FILM = """

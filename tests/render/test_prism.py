@@ -4,17 +4,15 @@
 
 from __future__ import annotations
 
-import json
 import re
-import tomllib
 
 import numpy as np
 import pytest
 
-from support.paths import TEMPLATES, materials_folder
-from support.tool import nacre
+from support.paths import materials_folder
+from support.prism import C_NM, D_NM, F_NM, exit_angle, index
 
-LINES_NM = (486.1327, 587.5618, 656.2725)
+LINES_NM = (F_NM, D_NM, C_NM)
 GLASSES = ("n_bk7", "sf11", "water", "diamond")
 APEX_DEG = 30.0
 INCIDENCE_DEG = 45.0
@@ -51,25 +49,6 @@ def world(material: str) -> str:
         for kind, name in (("float", "wavelength_edges"), ("color", "wavelength_weight"))
     )
     return head + WORLD.format(arrays=f"{edges},\n    {weight}")
-
-
-def index(material: str, nm: float) -> float:
-    text = (TEMPLATES / f"{material}.toml").read_text("utf-8")
-    glass = tomllib.loads(text)["glass"]
-    if "medium" in glass:
-        shown = json.loads(nacre("library", "show", glass["medium"], "--at", nm, "--json"))
-        return shown["at"][0]["n"]
-    squared = (nm / 1000) ** 2
-    terms = zip(glass["sellmeier"]["b"], glass["sellmeier"]["c"], strict=True)
-    return np.sqrt(1 + sum(b * squared / (squared - c) for b, c in terms))
-
-
-def exit_angle(n: float, incidence: float, apex: float) -> float:
-    """Of light that fell along −z, from −z towards −x: Snell's law at both faces."""
-    inside = incidence - np.arcsin(np.sin(incidence) / n)  # from −z
-    tilt = incidence - apex
-    outside = np.arcsin(n * np.sin(inside - tilt))  # from the normal of the second face
-    return outside + tilt
 
 
 @pytest.fixture(scope="module")

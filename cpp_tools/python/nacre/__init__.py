@@ -38,7 +38,7 @@ from ._compile import (
     template_spectrum,
 )
 from ._film import FilmLut, Table, film_lut
-from ._film_bands import band_tables, optical_thickness
+from ._film_bands import band_tables, film_fringes, optical_thickness
 from ._grating import GratingOrders, grating_orders
 from ._models import film_reflectance, slit_intensity
 from ._native import NacreError, version
@@ -69,6 +69,7 @@ __all__ = [
     "colour_matching",
     "colour_temperature",
     "compile_template",
+    "film_fringes",
     "film_lut",
     "film_reflectance",
     "grating_orders",

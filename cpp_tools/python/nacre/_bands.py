@@ -48,7 +48,7 @@ class BandError(NamedTuple):
 class BandChoice(NamedTuple):
     """How many bands a scene asks for, and why.
 
-    passes: of three bands, never a multiple of 3; error: of reflectances under the light that is
+    passes: of three bands; error: of reflectances under the light that is
     worst off; film_error: mean CIEDE2000 of films, likewise; step_px: the widest step of what
     disperses, between wavelengths of one channel, where it is bright enough to be seen; held: what
     is nearest to its limit: "lights", "lines", "films" or "spreads"; met: whether all are within
@@ -265,6 +265,7 @@ def choose_bands(
     wavelength_nm: ArrayLike = (),
     reflectances: ArrayLike | None = None,
     films_nm: Iterable[float] = (),
+    film_reflectances: ArrayLike | None = None,
     spreads_px: ArrayLike | None = None,
     mean_error: float = 0.1,
     max_error: float = 0.3,
@@ -276,11 +277,14 @@ def choose_bands(
     ----------
     lights : iterable of str, Spectrum, Lines or LightSamples, one or more
     wavelength_nm : float, shape (M,), ascending
-        Of `reflectances` and `spreads_px`.
+        Of `reflectances`, `film_reflectances` and `spreads_px`.
     reflectances : float, shape (..., M), optional
         Of surfaces; by default all that the library has.
     films_nm : iterable of float
         Optical thickness of films, index times thickness, whose fringes have to be told apart.
+    film_reflectances : float, shape (F, M), optional
+        Of each of `films_nm`, of which equal ones are one film at several thicknesses, as
+        `film_fringes` has them; by default fringes of full contrast.
     spreads_px : float, shape (..., M), optional
         For what disperses: where in an image light of each wavelength comes to lie, in pixels. Steps
         of 1.3 pixels do not show.
@@ -304,6 +308,14 @@ def choose_bands(
         nm, rows = _rows(wavelength_nm, reflectances, "reflectances")
     spreads = empty if spreads_px is None else _rows(wavelength_nm, spreads_px, "spreads_px")[1]
     films = doubles([number(film, "films_nm") for film in films_nm], "films_nm")
+    of_films = None
+    if film_reflectances is not None:
+        of_films = _rows(wavelength_nm, film_reflectances, "film_reflectances")[1]
+        if len(of_films) != films.size:
+            raise NacreError(
+                f"film_reflectances: must be one for each of films_nm, {films.size} "
+                f"(got {len(of_films)})"
+            )
     needs = _capi.BandNeeds(
         lights=given.count,
         light=given.records,
@@ -313,6 +325,7 @@ def choose_bands(
         reflectance=rows.ctypes.data,
         films=films.size,
         film_nm=films.ctypes.data,
+        film_reflectance=None if of_films is None else of_films.ctypes.data,
         spreads=len(spreads),
         spread_px=spreads.ctypes.data,
         mean_error=number(mean_error, "mean_error"),

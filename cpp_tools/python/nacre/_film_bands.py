@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._bands import Bands
-from ._capi import TableSize
+from ._capi import WAVELENGTHS, TableSize
 from ._native import NacreError, check, lib, numbers, take_tables
 from ._native import text as encoded
 
@@ -90,6 +90,32 @@ def band_tables(
         }
     finally:
         lib.nacre_result_free(handle)
+
+
+def film_fringes(template: str, count: int = 9, file: str = "template.toml") -> np.ndarray:
+    """Reflectance of the film of a template, head on, for `choose_bands` as `film_reflectances`.
+
+    Returns
+    -------
+    float, shape (count, 471)
+        At 360 … 830 nm, of thicknesses from 0.9 times its thickest to that, evenly; of a film that does
+        not vary all the same.
+
+    Raises
+    ------
+    NacreError
+        Problems of the template, one a line; a count that is not 2 or more.
+    """
+    (many,) = numbers((count,), "count", int, 1)
+    if not 2 <= many <= 100_000:
+        raise NacreError(f"count: must be 2 to 100000 (got {count})")
+    reflectance = np.empty((many, WAVELENGTHS))
+    check(
+        lib.nacre_template_fringes(
+            encoded(template, "template"), encoded(file, "file"), many, reflectance.ctypes.data
+        )
+    )
+    return reflectance
 
 
 def optical_thickness(template: str, file: str = "template.toml") -> float:

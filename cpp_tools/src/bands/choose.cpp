@@ -46,8 +46,7 @@ Vec3 exact_xyz(const Eye& seen, const Light& light, const Fine* reflectance)
     return sum;
 }
 
-/// The widest step in pixels between wavelengths that follow each other in one channel of three
-/// and are bright enough to be seen.
+/// The widest step in pixels between neighbouring wavelengths that are bright enough to be seen.
 double widest_step(const Bands& bands, const Spread& spread)
 {
     const auto luminance = [](const Band& band) {
@@ -55,8 +54,8 @@ double widest_step(const Bands& bands, const Spread& spread)
     };
     double brightest = 0.0, widest = 0.0;
     for (const Band& band : bands.bands) brightest = std::max(brightest, luminance(band));
-    for (std::size_t k = 3; k < bands.size(); ++k) {
-        const Band &here = bands.bands[k], &before = bands.bands[k - 3];
+    for (std::size_t k = 1; k < bands.size(); ++k) {
+        const Band &here = bands.bands[k], &before = bands.bands[k - 1];
         if (std::min(luminance(here), luminance(before)) < kSeen * brightest) continue;
         widest = std::max(widest, std::abs(read_at(spread.position_px, here.wavelength_nm) -
                                            read_at(spread.position_px, before.wavelength_nm)));
@@ -98,21 +97,22 @@ BandError error_of(const Bands& bands, const Light& light, std::span<const Fine>
     return error;
 }
 
-/// Of films, read as film_weights() has it.
-double film_error(const Bands& bands, const Light& light, double optical_thickness_nm)
+double film_error(const Bands& bands, const Light& light, const Film& film)
 {
     std::vector<spectral::Sampled> weights;
     for (std::size_t k = 0; k < bands.size(); ++k)
-        weights.push_back(film_weights(bands, k, optical_thickness_nm));
-    const std::vector<Fine> films = fringes(optical_thickness_nm);
-    return error_of(bands, light, films,
-                    [&weights](std::size_t band, const Fine& film) {
-                        double sum = 0.0;
-                        for (std::size_t i = 0; i < spectral::kWavelengths; ++i)
-                            if (weights[band][i] != 0.0)
-                                sum += weights[band][i] * read_at(film, spectral::wavelength_nm(i));
-                        return sum;
-                    })
+        weights.push_back(film_weights(bands, k, film.optical_thickness_nm));
+    const auto read = [&weights](std::size_t band, const Fine& reflectance) {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < spectral::kWavelengths; ++i)
+            if (weights[band][i] != 0.0)
+                sum += weights[band][i] * read_at(reflectance, spectral::wavelength_nm(i));
+        return sum;
+    };
+    return error_of(
+               bands, light,
+               film.reflectances.empty() ? fringes(film.optical_thickness_nm) : film.reflectances,
+               read)
         .mean;
 }
 
@@ -127,7 +127,7 @@ Choice try_passes(const Needs& needs, int passes, spectral::ObserverId observer)
     Choice choice{.passes = passes,
                   .bands = make_bands(3 * passes, needs.lights, observer),
                   .error = {0.0, 0.0},
-                  .fringes = 0.0,
+                  .films = 0.0,
                   .step_px = 0.0,
                   .held = "lights",
                   .met = false};
@@ -137,14 +137,14 @@ Choice try_passes(const Needs& needs, int passes, spectral::ObserverId observer)
             choice.error = {std::max(choice.error.mean, error.mean),
                             std::max(choice.error.max, error.max)};
         }
-        for (const double nd : needs.fringes_nm)
-            choice.fringes = std::max(choice.fringes, film_error(choice.bands, light, nd));
+        for (const Film& film : needs.films)
+            choice.films = std::max(choice.films, film_error(choice.bands, light, film));
     }
     for (const Spread& spread : needs.spreads)
         choice.step_px = std::max(choice.step_px, widest_step(choice.bands, spread));
     const Load loads[] = {{"lights", std::max(choice.error.mean / needs.mean_error,
                                               choice.error.max / needs.max_error)},
-                          {"films", choice.fringes / needs.mean_error},
+                          {"films", choice.films / needs.mean_error},
                           {"spreads", choice.step_px / kWidestStepPx}};
     const Load& worst = *std::ranges::max_element(loads, {}, &Load::load);
     choice.held = worst.held;

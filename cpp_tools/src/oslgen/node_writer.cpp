@@ -360,6 +360,15 @@ struct NodeForm {
     Json operator()(const ShaderText& shader) const { return shader.nodes.value_or(Json(nullptr)); }
 };
 
+struct BandForm {
+    Json operator()(const TableSurface&) const { return nullptr; }
+    Json operator()(const ShaderBody& body) const
+    {
+        return body.bands ? body.bands->json() : Json(nullptr);
+    }
+    Json operator()(const ShaderText& shader) const { return shader.bands.value_or(Json(nullptr)); }
+};
+
 }  // namespace
 
 Json surface_nodes(const TableSurface& surface)
@@ -430,6 +439,11 @@ Json osl_graph(const Program& program)
 Json node_graph(const Program& program)
 {
     return std::visit(NodeForm{}, program.body);
+}
+
+Json band_graph(const Program& program)
+{
+    return std::visit(BandForm{}, program.body);
 }
 
 }  // namespace nacre::oslgen

@@ -135,6 +135,8 @@ Json manifest(const Program& program)
                 {"sockets", Json::array()},
                 {"tables", Json::array()},
                 {"graphs", {{"osl", osl_graph(program)}, {"nodes", node_graph(program)}}}};
+    if (Json bands = band_graph(program); !bands.is_null())
+        result["graphs"]["bands"] = std::move(bands);
     for (const Socket& socket : program.sockets) result["sockets"].push_back(socket_entry(socket));
     for (const TableInfo& table : tables(program)) result["tables"].push_back(table_entry(table));
     if (head.look != material::LookSpec{})

@@ -19,6 +19,9 @@ namespace nacre::oslgen {
 /// Node group of Blender's own nodes; null where there is none.
 [[nodiscard]] nlohmann::json node_graph(const Program& program);
 
+/// Node group where bands of wavelengths are rendered; null where one of the others will do.
+[[nodiscard]] nlohmann::json band_graph(const Program& program);
+
 /// Metadata of a parameter.
 [[nodiscard]] std::string metadata(std::string_view label, std::string_view help,
                                    std::string_view more = "");

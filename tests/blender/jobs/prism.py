@@ -69,15 +69,22 @@ def light(scene: bpy.types.Scene, source: str, line_nm: float) -> None:
     world.node_tree.links.new(node.outputs[0], background.inputs["Color"])
 
 
-def render(**job) -> list[list[float]]:
-    scene = empty_scene(job.get("space", ""))
-    material = film(scene, {"material": job["material"], "form": "osl", "values": {}})
-    incidence, apex = math.radians(job["incidence_deg"]), math.radians(job["apex_deg"])
+def wedge_of(
+    scene: bpy.types.Scene, material: bpy.types.Material, apex_deg: float, incidence_deg: float
+) -> None:
+    """Its upper face meets light that falls along -z at that angle."""
+    incidence, apex = math.radians(incidence_deg), math.radians(apex_deg)
     for item in (
         face(scene, Vector((0, 0, 0)), incidence, up=True),
         face(scene, Vector((0, 0, -THICKNESS)), incidence - apex, up=False),
     ):
         item.data.materials.append(material)
+
+
+def render(**job) -> list[list[float]]:
+    scene = empty_scene(job.get("space", ""))
+    material = film(scene, {"material": job["material"], "form": "osl", "values": {}})
+    wedge_of(scene, material, job["apex_deg"], job["incidence_deg"])
     light(scene, job["world"], job["line_nm"])
     add_camera(scene)
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0

@@ -18,7 +18,7 @@ from .furnace import light_by_depth
 from .pictures import empty_scene, render_picture
 
 
-def _patch(scene: bpy.types.Scene, column: int, row: int, material: bpy.types.Material) -> None:
+def patch(scene: bpy.types.Scene, column: int, row: int, material: bpy.types.Material) -> None:
     mesh = bpy.data.meshes.new("patch")
     x, y = float(column), -float(row)
     corners = [(x, y, 0), (x + 1, y, 0), (x + 1, y - 1, 0), (x, y - 1, 0)]
@@ -27,7 +27,7 @@ def _patch(scene: bpy.types.Scene, column: int, row: int, material: bpy.types.Ma
     scene.collection.objects.link(bpy.data.objects.new("patch", mesh))
 
 
-def _seen_from_above(scene: bpy.types.Scene, columns: int, rows: int, size: int) -> None:
+def seen_from_above(scene: bpy.types.Scene, columns: int, rows: int, size: int) -> None:
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
     camera.data.type = "ORTHO"
     camera.data.ortho_scale = float(max(columns, rows))
@@ -65,8 +65,8 @@ def chart(
             out = tree.nodes.new("ShaderNodeOutputMaterial")
             tree.links.new(both.outputs[0], emission.inputs["Color"])
             tree.links.new(emission.outputs[0], out.inputs["Surface"])
-            _patch(scene, column, row, material)
-    _seen_from_above(scene, len(reflectances), len(lights), size)
+            patch(scene, column, row, material)
+    seen_from_above(scene, len(reflectances), len(lights), size)
     return rendered(scene, file, samples, passes)
 
 
@@ -79,11 +79,11 @@ def lit_chart(
     described = extension.module("spectral.described").Described
     scene = empty_scene()
     for column, reflectance in enumerate([*reflectances, ""]):
-        _patch(scene, column, 0, _matt(reflectance))
+        patch(scene, column, 0, matt(reflectance))
     lamp = bpy.data.lights.new("lamp", "SUN")
     lamp.angle, lamp.energy, lamp.color = 0.0, 2.0, (1.0, 0.8, 0.5)
     scene.collection.objects.link(bpy.data.objects.new("lamp", lamp))
-    _seen_from_above(scene, len(reflectances) + 1, 1, size)
+    seen_from_above(scene, len(reflectances) + 1, 1, size)
     places = {name: str(Path(folder) / f"{name}.exr") for name in ("before", "bands", "after")}
     width, height = scene.render.resolution_x, scene.render.resolution_y
     render_picture(scene, width, height, 1, places["before"])
@@ -105,8 +105,8 @@ def eevee(
     described = extension.module("spectral.described").Described
     scene = empty_scene()
     for column, reflectance in enumerate([*reflectances, ""]):
-        _patch(scene, column, 0, _matt(reflectance))
-    _patch(scene, len(reflectances) + 1, 0, furnace_film(scene, {"form": "nodes", **film}))
+        patch(scene, column, 0, matt(reflectance))
+    patch(scene, len(reflectances) + 1, 0, furnace_film(scene, {"form": "nodes", **film}))
     lamp = bpy.data.lights.new("lamp", "SUN")
     lamp.angle, lamp.energy = 0.0, 2.0
     sun = bpy.data.objects.new("lamp", lamp)
@@ -114,7 +114,7 @@ def eevee(
     scene.collection.objects.link(sun)
     scene.world = bpy.data.worlds.new("world")
     scene.world.use_nodes = True
-    _seen_from_above(scene, len(reflectances) + 2, 1, size)
+    seen_from_above(scene, len(reflectances) + 2, 1, size)
     scene.render.engine = eevee_engine(scene)
     convert.make_spectral()
     for light in lights:
@@ -125,7 +125,7 @@ def eevee(
     return said
 
 
-def _matt(reflectance: str) -> bpy.types.Material:
+def matt(reflectance: str) -> bpy.types.Material:
     material = bpy.data.materials.new(reflectance or "white")
     material.use_nodes = True
     tree = material.node_tree
@@ -142,9 +142,7 @@ def _matt(reflectance: str) -> bpy.types.Material:
 def rendered(
     scene: bpy.types.Scene, file: str, samples: int, passes: int, *, denoise: bool = False
 ) -> dict:
-    plan = extension.module("spectral.plan")
-    groups, films = extension.module("spectral.groups"), extension.module("spectral.films")
-    made = plan.make(groups.found_spectra(), passes or None, films_nm=films.thicknesses_nm())
+    made = extension.module("spectral.needs").plan_for(scene, passes or None)
     rendering = extension.module("spectral.rendering")
     kept = rendering.beside(Path(file), scene, made, samples, denoise=denoise)
     kept.begin(resume=False)
@@ -409,7 +407,7 @@ def many(*, folder: str, count: int, samples: int) -> dict:
     columns = math.ceil(math.sqrt(count))
     for number in range(count):
         material = _random_material(number, random, picture)
-        _patch(scene, number % columns, number // columns, material)
+        patch(scene, number % columns, number // columns, material)
     sun = bpy.data.lights.new("sun", "SUN")
     sun.angle, sun.energy, sun.color = 0.5, 2.0, (1.0, 0.9, 0.7)
     scene.collection.objects.link(bpy.data.objects.new("sun", sun))
@@ -417,7 +415,7 @@ def many(*, folder: str, count: int, samples: int) -> dict:
     scene.world.use_nodes = True
     background = next(n for n in scene.world.node_tree.nodes if n.type == "BACKGROUND")
     background.inputs["Color"].default_value = (0.3, 0.4, 0.6, 1.0)
-    _seen_from_above(scene, columns, columns, 4)
+    seen_from_above(scene, columns, columns, 4)
     names = ("before", "again", "bands", "after")
     places = {name: str(Path(folder) / f"{name}.exr") for name in names}
     width, height = scene.render.resolution_x, scene.render.resolution_y

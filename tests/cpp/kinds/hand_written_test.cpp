@@ -192,6 +192,22 @@ TEST(HandWritten, ACommentHasItsFormInNodes)
     EXPECT_EQ(text.osl.find("/* nodes"), std::string::npos);
 }
 
+TEST(HandWritten, AnotherHasThatWhereBandsAreRendered)
+{
+    const auto bands = replaced(kNodes, "/* nodes", "/* bands");
+    const auto text = written(worm(kWormHead, kInputs, kNodes + bands));
+    const Json graphs = Json::parse(text.manifest)["graphs"];
+    EXPECT_EQ(graphs["bands"], graphs["nodes"]);
+    EXPECT_EQ(text.osl.find("/* nodes"), std::string::npos);
+    EXPECT_EQ(text.osl.find("/* bands"), std::string::npos);
+    EXPECT_FALSE(Json::parse(written(worm(kWormHead, kInputs, kNodes)).manifest)["graphs"].contains(
+        "bands"));
+    const auto problems =
+        problems_of(worm(kWormHead, kInputs, replaced(bands, "input.tint", "input.tin")));
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].find("worm.osl:30: bands: a link must come from"), 0U) << problems[0];
+}
+
 TEST(HandWritten, AGraphThatDoesNotFitIsRefusedWithItsLine)
 {
     const auto with = [](const std::string& from, const std::string& to) {

@@ -33,30 +33,34 @@ struct Spread {
     Fine position_px;  ///< where light of each wavelength comes to lie, in pixels
 };
 
-/// The widest step between neighbouring wavelengths of one live channel that does not show,
-/// in pixels.
+/// The widest step between neighbouring wavelengths that does not show, in pixels.
 inline constexpr double kWidestStepPx = 1.3;
+
+/// Read by film_weights() of its optical thickness.
+struct Film {
+    double optical_thickness_nm;
+    std::vector<Fine> reflectances;  ///< at some thicknesses; without any those of fringes()
+};
 
 struct Needs {
     std::vector<Light> lights;
     std::vector<Fine> reflectances;
-    std::vector<double> fringes_nm;  ///< optical thicknesses of films
+    std::vector<Film> films;
     std::vector<Spread> spreads;
-    double mean_error = 0.1, max_error = 0.3;  ///< of `reflectances`; of fringes the mean alone
+    double mean_error = 0.1, max_error = 0.3;  ///< of `reflectances`; of films the mean alone
 };
 
 struct Choice {
     int passes;
     Bands bands;       ///< three times as many
     BandError error;   ///< of reflectances under the light that is worst off
-    double fringes;    ///< mean ΔE00 of films by film_weights(), the worst; 0 without films
+    double films;      ///< mean ΔE00 of a film, the worst; 0 without films
     double step_px;    ///< the widest step of a spread; 0 without spreads
     std::string held;  ///< what is nearest to its limit: "lights", "lines", "films", "spreads"
     bool met;          ///< false where even the most passes are not enough
 };
 
-/// Passes of three bands that a choice is made from, none a multiple of 3: bands p, p + N, p + 2N
-/// of a pass then differ modulo 3, so that glass can have one of them live, and all in turn.
+/// Passes of three bands that a choice is made from.
 inline constexpr int kPasses[] = {8, 10, 14, 16, 20, 26, 32, 40, 50, 64, 80, 100};
 
 /// The fewest passes that are within the errors asked for.

@@ -43,20 +43,22 @@ NACRE_API nacre_status nacre_bands_make(size_t count, size_t lights, const nacre
 typedef struct nacre_band_needs {
     size_t lights;
     const nacre_light* light;
-    size_t samples;              /**< of reflectances and spreads */
+    size_t samples;              /**< of reflectances, films and spreads */
     const double* wavelength_nm; /**< samples, ascending */
     size_t reflectances;         /**< 0: those of the library */
     const double* reflectance;   /**< reflectances x samples */
     size_t films;
     const double* film_nm; /**< films: optical thickness, index times thickness */
-    size_t spreads;        /**< of dispersive things */
+    /** films x samples, those of one optical thickness together; NULL: fringes of full contrast */
+    const double* film_reflectance;
+    size_t spreads; /**< of dispersive things */
     const double*
         spread_px; /**< spreads x samples: where in an image light of each wavelength lies */
     double mean_error, max_error; /**< dE00, > 0 */
 } nacre_band_needs;
 
 typedef struct nacre_band_choice {
-    int passes;                   /**< of three bands; never a multiple of 3 */
+    int passes;                   /**< of three bands */
     double mean_error, max_error; /**< dE00 of reflectances under the light that is worst off */
     double film_error;            /**< mean dE00 of films, likewise */
     double step_px;   /**< the widest step of a spread that is bright enough to be seen */

@@ -58,6 +58,15 @@ NACRE_API nacre_status nacre_template_optical_thickness(const char* text, const 
                                                         double* thickness_nm);
 
 /**
+ * Reflectance of the film of a template, head on, at thicknesses from 0.9 times its thickest to
+ * that, evenly, which nacre_band_needs takes; of one that does not vary all the same.
+ * @param count        > 1
+ * @param reflectance  count x NACRE_WAVELENGTHS, 360 ... 830 nm
+ */
+NACRE_API nacre_status nacre_template_fringes(const char* text, const char* file, size_t count,
+                                              double* reflectance);
+
+/**
  * What the film of a template reflects and lets pass, unpolarised.
  * @param value         of what varies, nm or a factor; not held to its range
  * @param angle_deg     in the ambient, in [0, 90)

@@ -37,4 +37,10 @@ using BandPass = std::array<spectral::Sampled, 3>;
 [[nodiscard]] double optical_thickness_nm(const MaterialTemplate& source,
                                           const CompileOptions& options);
 
+/// Reflectance of a film, head on, at thicknesses from 0.9 times its thickest to that, evenly; of
+/// one that does not vary all the same.
+/// @pre count > 1
+[[nodiscard]] std::vector<spectral::Sampled> film_fringes(const MaterialTemplate& source,
+                                                          const CompileOptions& options, int count);
+
 }  // namespace nacre::kinds

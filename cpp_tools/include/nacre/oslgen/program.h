@@ -64,12 +64,14 @@ struct ShaderBody {
     std::vector<std::string> includes;  ///< `nacre/nacre_disc.h`
     std::string statements;
     std::variant<Graph, std::string> nodes;  ///< the group without OSL, or why there is none
+    std::optional<Graph> bands = {};         ///< the group where bands of wavelengths are rendered
 };
 
 /// A hand-written shader as it is, with its parameters.
 struct ShaderText {
     std::string text;
-    std::optional<nlohmann::json> nodes;  ///< the group without OSL, as in manifests
+    /// The group without OSL, and the one where bands are rendered, as in manifests.
+    std::optional<nlohmann::json> nodes = {}, bands = {};
 };
 
 /// A medium that ends within the range of colours, see spectral/working_range.h.

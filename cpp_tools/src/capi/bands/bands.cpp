@@ -88,6 +88,26 @@ std::vector<Fine> library_reflectances()
     return found;
 }
 
+/// Those of one thickness are one film.
+std::vector<bands::Film> films_from(const nacre_band_needs& given)
+{
+    if (given.films > 0) require(given.film_nm, "film_nm");
+    std::vector<Fine> reflectances;
+    if (given.film_reflectance)
+        reflectances = rows_of(given.films, given.samples, given.wavelength_nm,
+                               given.film_reflectance, "film_reflectance");
+    std::vector<bands::Film> films;
+    for (std::size_t i = 0; i < given.films; ++i) {
+        const double thickness_nm = given.film_nm[i];
+        if (!(thickness_nm > 0.0) || std::isinf(thickness_nm))
+            fail("film_nm", fmt::format("must be finite and > 0 (got {:g})", thickness_nm));
+        auto film = std::ranges::find(films, thickness_nm, &bands::Film::optical_thickness_nm);
+        if (film == films.end()) film = films.insert(films.end(), {thickness_nm, {}});
+        if (given.film_reflectance) film->reflectances.push_back(std::move(reflectances[i]));
+    }
+    return films;
+}
+
 bands::Needs needs_from(const nacre_band_needs& given)
 {
     for (const double error : {given.mean_error, given.max_error})
@@ -96,17 +116,11 @@ bands::Needs needs_from(const nacre_band_needs& given)
         .lights = lights_from(given.lights, given.light),
         .reflectances = rows_of(given.reflectances, given.samples, given.wavelength_nm,
                                 given.reflectance, "reflectance"),
-        .fringes_nm = {},
+        .films = films_from(given),
         .spreads = {},
         .mean_error = given.mean_error,
         .max_error = given.max_error};
     if (given.reflectances == 0) needs.reflectances = library_reflectances();
-    if (given.films > 0) require(given.film_nm, "film_nm");
-    for (std::size_t i = 0; i < given.films; ++i) {
-        if (!(given.film_nm[i] > 0.0) || std::isinf(given.film_nm[i]))
-            fail("film_nm", fmt::format("must be finite and > 0 (got {:g})", given.film_nm[i]));
-        needs.fringes_nm.push_back(given.film_nm[i]);
-    }
     for (Fine& spread :
          rows_of(given.spreads, given.samples, given.wavelength_nm, given.spread_px, "spread_px"))
         needs.spreads.push_back({std::move(spread)});
@@ -150,7 +164,7 @@ nacre_status nacre_bands_choose(const nacre_band_needs* needs, const char* obser
         *choice = {.passes = made.passes,
                    .mean_error = made.error.mean,
                    .max_error = made.error.max,
-                   .film_error = made.fringes,
+                   .film_error = made.films,
                    .step_px = made.step_px,
                    .held = capi::kept(made.held),
                    .met = made.met ? 1 : 0};

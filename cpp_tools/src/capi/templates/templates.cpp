@@ -122,6 +122,23 @@ nacre_status nacre_template_optical_thickness(const char* text, const char* file
     });
 }
 
+nacre_status nacre_template_fringes(const char* text, const char* file, size_t count,
+                                    double* reflectance)
+{
+    using namespace nacre;
+    return capi::guarded([&] {
+        capi::require(reflectance, "reflectance");
+        constexpr size_t kMost = 100'000;
+        if (count < 2 || count > kMost)
+            capi::fail("count", fmt::format("must be 2 to {} (got {})", kMost, count));
+        const kinds::CompileOptions options = capi::plain_options(text, file);
+        const std::vector<spectral::Sampled> films = kinds::film_fringes(
+            kinds::parse_template(text, file), options, static_cast<int>(count));
+        for (const spectral::Sampled& film : films)
+            reflectance = std::ranges::copy(film, reflectance).out;
+    });
+}
+
 nacre_status nacre_template_spectrum(const char* text, const char* file, const char* illuminant,
                                      const char* observer, const char* space,
                                      const char* adaptation, double value, double angle_deg,

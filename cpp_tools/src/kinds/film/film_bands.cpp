@@ -128,4 +128,18 @@ double optical_thickness_nm(const MaterialTemplate& source, const CompileOptions
     return sum;
 }
 
+std::vector<spectral::Sampled> film_fringes(const MaterialTemplate& source,
+                                            const CompileOptions& options, int count)
+{
+    const std::optional<lut::Variation> variation = film_request(source, options).variation;
+    const auto at = [&](double value) {
+        return film_spectrum(source, options, 1.0, value).reflectance;
+    };
+    std::vector<spectral::Sampled> films;
+    if (!variation) return std::vector(static_cast<std::size_t>(count), at(0.0));
+    for (int i = 0; i < count; ++i)
+        films.push_back(at(variation->max * (0.9 + 0.1 * i / (count - 1))));
+    return films;
+}
+
 }  // namespace nacre::kinds

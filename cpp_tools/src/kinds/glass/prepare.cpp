@@ -8,6 +8,7 @@
 
 #include "base/path_wavelengths.h"
 #include "glass/glass.h"
+#include "glass/index_curve.h"
 #include "glass/sliders.h"
 #include "nacre/kinds/media_reader.h"
 #include "nacre/oslgen/literals.h"
@@ -31,6 +32,7 @@ struct Index {
     std::vector<double> knots;
     std::array<double, 3> mean_rgb;  ///< mean of n over wavelength with the weight of each channel
     double n_F, n_d, n_C;
+    IndexCurve curve;
 };
 
 Index index(const Glass& glass, MediaReader media, const spectral::ColourWeights& weights)
@@ -45,7 +47,8 @@ Index index(const Glass& glass, MediaReader media, const spectral::ColourWeights
                  .mean_rgb = weights.apply(n),
                  .n_F = medium->at(kLineF).real(),
                  .n_d = medium->at(kLineD).real(),
-                 .n_C = medium->at(kLineC).real()};
+                 .n_C = medium->at(kLineC).real(),
+                 .curve = index_curve([&](double nm) { return medium->at(nm).real(); })};
     for (int i = 0; i < kKnots; ++i)
         result.knots.push_back(medium->at(spectral::kFirstNm + i * kKnotStepNm).real());
     return result;
@@ -69,6 +72,36 @@ oslgen::Graph nodes(double n_d)
     graph.link("input.roughness", "glass.Roughness");
     graph.link("input.normal", "glass.Normal");
     graph.link("glass.BSDF", "output.BSDF");
+    return graph;
+}
+
+/// Where bands are rendered one of them at a time goes through the glass, at its own index; the
+/// block sees to that, see manifest.md.
+oslgen::Graph bands(double n_d, const IndexCurve& curve)
+{
+    oslgen::Graph graph;
+    graph.node("wavelength", "nacre.wavelength");
+    oslgen::Calculation calculation(graph);
+    const std::string inverse =
+        calculation.number("inverse", "DIVIDE", {curve.slope_nm, "wavelength.Wavelength"});
+    const std::string x = calculation.number("x", "ADD", {inverse, curve.offset});
+    nlohmann::json sum = curve.power.back();
+    for (std::size_t k = curve.power.size() - 1; k-- > 0;)
+        sum = calculation.number(fmt::format("n{}", k), "MULTIPLY_ADD", {sum, x, curve.power[k]});
+    graph.node("dispersive", "nacre.dispersive_glass", {}, {{"Index", n_d}});
+    graph.link(sum.get<std::string>(), "dispersive.Live Index");
+    graph.link("input.dispersion", "dispersive.Dispersion");
+    graph.node("glass", "ShaderNodeBsdfGlass", {{"distribution", "MULTI_GGX"}});
+    graph.link("dispersive.IOR", "glass.IOR");
+    for (const char* id : {"dispersive", "glass"}) {
+        graph.link("input.roughness", fmt::format("{}.Roughness", id));
+        graph.link("input.normal", fmt::format("{}.Normal", id));
+    }
+    graph.node("first", "ShaderNodeMixShader");
+    graph.link("dispersive.Factor", "first.0");
+    graph.link("glass.BSDF", "first.1");
+    graph.link("dispersive.BSDF", "first.2");
+    graph.link("first.Shader", "output.BSDF");
     return graph;
 }
 
@@ -97,8 +130,10 @@ Prepared Glass::prepare(const MaterialTemplate& source, const CompileOptions& op
     program.body =
         oslgen::ShaderBody{.includes = {"nacre/nacre_dispersion.h", "nacre/nacre_glass.h"},
                            .statements = glass::statements(index),
-                           .nodes = glass::nodes(index.n_d)};
-    program.more["glass"] = {{"lines", {{"F", index.n_F}, {"d", index.n_d}, {"C", index.n_C}}}};
+                           .nodes = glass::nodes(index.n_d),
+                           .bands = glass::bands(index.n_d, index.curve)};
+    program.more["glass"] = {{"lines", {{"F", index.n_F}, {"d", index.n_d}, {"C", index.n_C}}},
+                             {"error", index.curve.error}};
     return result;
 }
 

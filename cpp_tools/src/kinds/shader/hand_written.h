@@ -19,7 +19,7 @@ public:
     oslgen::ShaderSource shader;
     std::vector<oslgen::Socket> sockets;
     oslgen::Traits told;
-    std::optional<nlohmann::json> nodes;  ///< see shader/node_form.h
+    std::optional<nlohmann::json> nodes, bands;  ///< see shader/node_form.h
     nlohmann::json presets = nlohmann::json::array();
 
     [[nodiscard]] std::string_view name() const override { return kName; }

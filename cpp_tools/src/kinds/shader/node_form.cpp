@@ -12,16 +12,26 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view kBegin = "/* nodes", kEnd = "*/";
+constexpr std::string_view kEnd = "*/";
+
+std::string_view name_of(NodeForm form)
+{
+    return form == NodeForm::nodes ? "nodes" : "bands";
+}
+
+std::string beginning(NodeForm form)
+{
+    return fmt::format("/* {}", name_of(form));
+}
 
 /// Where the comment starts and how long it is, its line's end included.
 struct Place {
     std::size_t at, size;
 };
 
-std::optional<Place> find_comment(std::string_view text)
+std::optional<Place> find_comment(NodeForm form, std::string_view text)
 {
-    const std::size_t at = text.find(kBegin);
+    const std::size_t at = text.find(beginning(form));
     if (at == std::string_view::npos) return std::nullopt;
     std::size_t end = std::min(text.find(kEnd, at), text.size());
     end = std::min(end + kEnd.size(), text.size());
@@ -98,18 +108,18 @@ private:
 
 }  // namespace
 
-std::optional<nlohmann::json> node_form(const oslgen::ShaderSource& shader,
+std::optional<nlohmann::json> node_form(NodeForm form, const oslgen::ShaderSource& shader,
                                         std::span<const oslgen::Socket> sockets,
                                         std::span<const oslgen::Closure> closures,
                                         DiagnosticList& problems)
 {
     const std::string_view text = shader.text;
-    const auto comment = find_comment(text);
+    const auto comment = find_comment(form, text);
     if (!comment) return std::nullopt;
-    const std::size_t start = comment->at + kBegin.size();
+    const std::size_t start = comment->at + beginning(form).size();
     const std::string_view inside = text.substr(start, text.find(kEnd, start) - start);
     const auto report = [&](int line, std::string message) {
-        problems.add({shader.file, line, "nodes", std::move(message)});
+        problems.add({shader.file, line, std::string(name_of(form)), std::move(message)});
     };
     try {
         Json graph = Json::parse(inside);
@@ -123,10 +133,12 @@ std::optional<nlohmann::json> node_form(const oslgen::ShaderSource& shader,
     }
 }
 
-std::string without_node_form(std::string_view text)
+std::string without_node_forms(std::string_view text)
 {
     std::string result(text);
-    if (const auto comment = find_comment(text)) result.erase(comment->at, comment->size);
+    for (const NodeForm form : {NodeForm::nodes, NodeForm::bands})
+        if (const auto comment = find_comment(form, result))
+            result.erase(comment->at, comment->size);
     return result;
 }
 

@@ -14,14 +14,18 @@
 
 namespace nacre::kinds {
 
-/// A hand-written shader's form in nodes: a comment `/* nodes { … } */` with the graph as manifests
-/// have it. Without one, OSL is needed.
-[[nodiscard]] std::optional<nlohmann::json> node_form(const oslgen::ShaderSource& shader,
+/// Forms of a hand-written shader that are graphs of nodes, each a comment of its own with the
+/// graph as manifests have it: `/* nodes { … } */`, without which OSL is needed, and `/* bands { …
+/// } */`, for where bands of wavelengths are rendered.
+enum class NodeForm { nodes, bands };
+
+[[nodiscard]] std::optional<nlohmann::json> node_form(NodeForm form,
+                                                      const oslgen::ShaderSource& shader,
                                                       std::span<const oslgen::Socket> sockets,
                                                       std::span<const oslgen::Closure> closures,
                                                       DiagnosticList& problems);
 
-/// The shader's text without that comment.
-[[nodiscard]] std::string without_node_form(std::string_view text);
+/// The shader's text without those comments.
+[[nodiscard]] std::string without_node_forms(std::string_view text);
 
 }  // namespace nacre::kinds

@@ -15,7 +15,7 @@ constexpr std::string_view kColourTables = "#include \"nacre/nacre_colour_tables
 /// With its colours in the space, under the light and for the observer of the options.
 std::string text_for(const oslgen::ShaderSource& shader, const CompileOptions& options)
 {
-    std::string text = without_node_form(shader.text);
+    std::string text = without_node_forms(shader.text);
     std::erase(text, '\r');  // of files from Windows
     const std::size_t at = text.find(kColourTables);
     if (at != std::string::npos)
@@ -37,7 +37,8 @@ Prepared HandWritten::prepare(const MaterialTemplate&, const CompileOptions& opt
 {
     Prepared result;
     result.program.sockets = sockets;
-    result.program.body = oslgen::ShaderText{.text = text_for(shader, options), .nodes = nodes};
+    result.program.body =
+        oslgen::ShaderText{.text = text_for(shader, options), .nodes = nodes, .bands = bands};
     if (!presets.empty()) result.program.more["presets"] = presets;
     return result;
 }

@@ -61,7 +61,9 @@ public:
         for (const ShaderParameter& parameter : shader_->parameters)
             if (auto found = socket(parameter)) kind->sockets.push_back(*std::move(found));
         check_includes();
-        kind->nodes = node_form(*shader_, kind->sockets, kind->told.closures, problems_);
+        for (const auto& [form, graph] :
+             {std::pair{NodeForm::nodes, &kind->nodes}, {NodeForm::bands, &kind->bands}})
+            *graph = node_form(form, *shader_, kind->sockets, kind->told.closures, problems_);
         kind->presets = read_presets(*shader_, kind->sockets, problems_);
         MaterialTemplate result = head();
         result.kind = std::move(kind);

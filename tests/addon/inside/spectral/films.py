@@ -107,7 +107,7 @@ assert abs(thickness[edited] / thickness[tree_of(copy)] - 1.0) > 0.1
 assert thickness[tree_of(copy)] == before[tree_of(copy)]
 
 # While a plan is rendered each has a picture of all passes of its own, and none afterwards.
-made = plan.make(spectral_groups.found_spectra(), 8, films_nm=films.thicknesses_nm())
+made = plan.make(spectral_groups.found_spectra(), 8, films=films.fringes())
 with films.in_bands(made, at_once=True):
     pictures = []
     for tree in (edited, tree_of(copy), in_nodes):
@@ -144,7 +144,7 @@ in_osl, moving = (bpy.data.materials[name] for name in names)
 assert tree_of(in_osl).get(groups.FORM) == "osl"
 assert tree_of(in_osl).name == former_name
 assert materials.input_socket(in_osl, "thickness_nm").default_value == 77.0
-assert marks.FORMER not in materials.group_node(in_osl)
+assert groups.FORMER not in materials.group_node(in_osl)
 principled = next(node for node in moving.node_tree.nodes if node.type == "BSDF_PRINCIPLED")
 colour, tint = principled.inputs["Base Color"], principled.inputs["Coat Tint"]
 assert [socket.path_from_id("default_value") for socket in (colour, tint)] == [path, tint_path]
