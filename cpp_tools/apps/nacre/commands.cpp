@@ -37,6 +37,7 @@
     COMMAND("", info)                   \
     COMMAND("", compare)                \
     COMMAND("", render)                 \
+    COMMAND("", develop)                \
     COMMAND("", export)                 \
     COMMAND("export", export_materialx) \
     COMMAND("export", export_gltf)      \

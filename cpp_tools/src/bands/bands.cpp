@@ -29,12 +29,6 @@ struct Span {
     [[nodiscard]] std::size_t size() const noexcept { return end - first; }
 };
 
-std::size_t step_of(double nm)
-{
-    const double step = std::round((nm - spectral::kFirstNm) / kStepNm);
-    return static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(kFineWavelengths)));
-}
-
 /// Lines nearer to each other than a band of one is wide, together.
 std::vector<Span> line_spans(std::span<const Light> lights)
 {

@@ -3,6 +3,7 @@
 #include "eye.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nacre::bands {
 
@@ -47,6 +48,12 @@ const Eye& eye(ObserverId observer)
     static const Eye of_1931 = make_eye(ObserverId::cie1931);
     static const Eye of_1964 = make_eye(ObserverId::cie1964);
     return observer == ObserverId::cie1931 ? of_1931 : of_1964;
+}
+
+std::size_t step_of(double nm) noexcept
+{
+    const double step = std::round((nm - spectral::kFirstNm) / kStepNm);
+    return static_cast<std::size_t>(std::clamp(step, 0.0, static_cast<double>(kFineWavelengths)));
 }
 
 const std::vector<double>& fine_grid()

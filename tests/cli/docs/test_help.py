@@ -15,6 +15,7 @@ from pathlib import Path
 import pytest
 
 from support.paths import ROOT, TEMPLATES, tool
+from support.spectral_picture import shop
 from support.typed import examples, run
 
 CORPUS = ROOT / "cpp_tools" / "fuzz" / "corpus"
@@ -85,6 +86,7 @@ def inputs(nacre, tmp_path_factory) -> Path:
         (folder / "osl" / "templates" / f"{name}.toml").write_text(text, "utf-8")
     for name, arguments in IMAGES.items():
         nacre.ok("bake", *arguments, "-o", name, cwd=folder)
+    shop(folder / "shop.exr")
     return folder
 
 

@@ -101,6 +101,14 @@ LoadedImage read_image(const std::filesystem::path& file, AlphaMeaning alpha)
     }
 }
 
+std::string text_attribute(const LoadedImage& loaded, const char* name)
+{
+    const auto found = loaded.attributes.find(name);
+    const auto* text =
+        found == loaded.attributes.end() ? nullptr : std::get_if<std::string>(&found->second);
+    return text ? *text : "";
+}
+
 void round_to_half(std::vector<float>& values)
 {
     loaded_module<ImageCodec>().round_to_half(values);

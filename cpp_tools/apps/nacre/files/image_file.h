@@ -29,6 +29,9 @@ namespace nacre::tool {
 [[nodiscard]] LoadedImage read_image(const std::filesystem::path& file,
                                      AlphaMeaning alpha = AlphaMeaning::coverage);
 
+/// Empty where there is none, or one that is no text.
+[[nodiscard]] std::string text_attribute(const LoadedImage& loaded, const char* name);
+
 /// What half floats make of values, for measuring the error of a table that is stored so.
 void round_to_half(std::vector<float>& values);
 /// What a file of that depth makes of them.

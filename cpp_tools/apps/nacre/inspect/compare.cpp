@@ -32,14 +32,6 @@ Exit status: 0 alike, 1 wrong usage or input (also images of different size), 2 
 
   nacre compare new.exr reference.exr --max 0.5 --heatmap difference.png)";
 
-std::string text_attribute(const LoadedImage& loaded, const char* name)
-{
-    const auto found = loaded.attributes.find(name);
-    const auto* text =
-        found == loaded.attributes.end() ? nullptr : std::get_if<std::string>(&found->second);
-    return text ? *text : "";
-}
-
 /// The space that a file names, if it is one of ours.
 std::string named_space(const LoadedImage& loaded)
 {

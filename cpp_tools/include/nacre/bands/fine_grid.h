@@ -22,6 +22,9 @@ inline constexpr std::size_t kFineWavelengths =
     return spectral::kFirstNm + kStepNm * (static_cast<double>(i) + 0.5);
 }
 
+/// The step that begins nearest to a wavelength; kFineWavelengths at the end.
+[[nodiscard]] std::size_t step_of(double nm) noexcept;
+
 /// All of them, ascending.
 [[nodiscard]] const std::vector<double>& fine_grid();
 
