@@ -19,6 +19,7 @@ import sys
 import tempfile
 from pathlib import Path
 
+from squeeze_exr import squeeze
 from write_manual import write_manual
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -74,6 +75,8 @@ def stage(folder: Path, wheels: list[Path], materials: Path) -> None:
     shutil.copytree(materials, folder / "compiled")
     for manifest in (folder / "compiled").glob("*/*.json"):
         _pack(manifest)
+    for table in (folder / "compiled").glob("*/*.exr"):
+        squeeze(table)
     write_manual(folder / "manual")
     (folder / "wheels").mkdir()
     for wheel in wheels:

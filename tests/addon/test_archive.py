@@ -7,15 +7,18 @@ from __future__ import annotations
 import io
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
 import zipfile
 from pathlib import Path
 
+import numpy as np
+import OpenImageIO as oiio
 import pytest
 
-from support.paths import ADDON, ROOT, STAGE_EXTENSION
+from support.paths import ADDON, ROOT, STAGE_EXTENSION, materials_folder
 
 
 def test_archive_carries_the_version_and_the_materials(archive):
@@ -63,6 +66,30 @@ def shipped() -> Path:
 
 def test_shipped_archive_is_light(shipped):
     assert shipped.stat().st_size <= 25e6
+
+
+def test_squeezed_tables_are_the_same(monkeypatch, tmp_path):
+    """Those of films and of one row, whose only chunk is not deflated; what is no table is left alone."""
+    monkeypatch.syspath_prepend(STAGE_EXTENSION.parent)
+    from squeeze_exr import squeeze
+
+    for name in ("soap_film_R", "soap_film_R_rough", "soap_film_R_bare"):
+        table = materials_folder() / "soap_film" / f"{name}.exr"
+        squeezed = Path(shutil.copy(table, tmp_path))
+        squeeze(squeezed)
+        before, after = oiio.ImageBuf(str(table)), oiio.ImageBuf(str(squeezed))
+        np.testing.assert_array_equal(before.get_pixels(), after.get_pixels())
+        assert before.spec().to_xml() == after.spec().to_xml()
+        assert squeezed.stat().st_size <= table.stat().st_size
+        if not name.endswith("_bare"):
+            assert squeezed.stat().st_size < 0.995 * table.stat().st_size
+    tiled = tmp_path / "tiled.exr"
+    spec = oiio.ImageSpec(8, 8, 3, oiio.FLOAT)
+    spec.tile_width = spec.tile_height = 4
+    oiio.ImageBuf(spec).write(str(tiled))
+    before = tiled.read_bytes()
+    squeeze(tiled)
+    assert tiled.read_bytes() == before
 
 
 def test_shipped_archive_states_whose_libraries_it_carries(shipped):
