@@ -9,7 +9,7 @@ converted, whatever scene uses it: what is not rendered in bands looks as before
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import bpy
 
@@ -24,10 +24,20 @@ from .groups import (
     LIGHT_OF_MIXTURE,
     REFLECTANCE_OF_COLOUR,
     REFLECTANCE_OF_MIXTURE,
+    rgb_of,
     spectrum_group,
     upsampling_group,
 )
-from .marks import BEFORE, LUMINANCE, MADE, is_ours, trees
+from .marks import (
+    BEFORE,
+    LUMINANCE,
+    MADE,
+    OWN_COLOUR,
+    UPSAMPLING,
+    has_own_colour,
+    is_ours,
+    trees,
+)
 from .report import LINKED, Remark, Report
 
 ROLES: dict[str, dict[str, str]] = {
@@ -70,10 +80,23 @@ ROLES: dict[str, dict[str, str]] = {
 }
 """Colours that light meets or is made of, by type of node and name of socket."""
 
+_OF_RGB = {
+    "TEX_SKY": "Blender's sky is RGB; its colours are taken for daylight through filters",
+    "WAVELENGTH": "Blender's wavelength is RGB; its colours are taken for daylight through filters",
+}
+"""What is computed in RGB and looks like a spectrum, by type of node."""
+_STAYS = {
+    "Thin Film Thickness": "its thin film is Blender's, of three wavelengths; assign a film of Nacre",
+    "Dispersion": "its dispersion is Blender's, whose wavelength is not that of bands; assign Custom Glass",
+}
+"""What has no part in bands, by the name of the socket that has it above 0."""
+
 _OF_COLOUR = {REFLECTANCE: REFLECTANCE_OF_COLOUR, EMISSION: LIGHT_OF_COLOUR}
 _OF_MIXTURE = {REFLECTANCE: REFLECTANCE_OF_MIXTURE, EMISSION: LIGHT_OF_MIXTURE}
 _STRENGTH = {"Emission Color": "Emission Strength"}
 _GREY = 1e-6
+_COOLEST_K = 800.0
+"""Below it Blender's black body has the colour of that."""
 
 
 def make_spectral() -> Report:
@@ -132,7 +155,10 @@ def give_lamp(light: bpy.types.Light, spectrum: Described) -> None:
     """A spectrum in place of the lamp's colour, as bright as that was. Raises SpectrumError."""
     _convert_lamp(light, Report())
     sockets = [node.inputs["Color"] for node in light.node_tree.nodes if node.type == "EMISSION"]
-    _give(light.node_tree, sockets, spectrum, f"the lamp {light.name}")
+    own = has_own_colour(light)
+    luminances = _give(light.node_tree, sockets, spectrum, f"the lamp {light.name}", light)
+    if own:
+        light.color = [max(0.0, luminances[0] * channel) for channel in rgb_of(spectrum)]
 
 
 def give_world(world: bpy.types.World, spectrum: Described) -> None:
@@ -148,26 +174,33 @@ def _give(
     sockets: list[bpy.types.NodeSocket],
     spectrum: Described,
     where: str,
-) -> None:
+    lamp: bpy.types.Light | None = None,
+) -> list[float]:
+    """Returns how bright each is."""
     if spectrum.kind != EMISSION:
         raise SpectrumError(f"{where}: {spectrum.name} is a reflectance, not a light")
     if not sockets:
         raise SpectrumError(f"{where} has no node that emits light")
+    keeps_rgb = lamp is not None and has_own_colour(lamp)
+    luminances = []
     for socket in sockets:
-        luminance = _luminance(socket)
+        luminance = _luminance(socket, lamp.color if keeps_rgb else None)
+        luminances.append(luminance)
         for source in [link.from_node for link in socket.links]:
             if MADE in source:
                 _take_out(tree, source)
         node = _new_node(tree, socket)
-        node.node_tree = spectrum_group(spectrum)
+        node.node_tree = spectrum_group(spectrum, keeps_rgb=keeps_rgb)
+        node.inputs[BEFORE].default_value = (1.0, 1.0, 1.0, 1.0)
         if socket.is_linked:
             tree.links.new(socket.links[0].from_socket, node.inputs[BEFORE])
         node.inputs[LUMINANCE].default_value = luminance
         tree.links.new(node.outputs[0], socket)
+    return luminances
 
 
-def _luminance(socket: bpy.types.NodeSocket) -> float:
-    """Of the colour that a socket has; of one that is computed, as of white."""
+def _luminance(socket: bpy.types.NodeSocket, lamp: Sequence[float] | None = None) -> float:
+    """Of the colour that a socket has, on top of it that of a lamp; of one that is computed, as of white."""
     source = socket.links[0].from_node if socket.is_linked else None
     if source is None:
         colour = socket.default_value
@@ -177,11 +210,14 @@ def _luminance(socket: bpy.types.NodeSocket) -> float:
         colour = source.inputs["Color"].default_value
     else:
         return 1.0
+    if lamp is not None:
+        colour = [channel * on_top for channel, on_top in zip(colour, lamp, strict=False)]
     return sum(row * channel for row, channel in zip(of_file()[1], colour, strict=False))
 
 
 def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
-    """Its own colour goes into its nodes, which would otherwise multiply a spectrum by RGB."""
+    """In bands all of its colour is in its nodes; its own, which would multiply a spectrum by RGB, is white
+    then."""
     if light.library is not None:
         report.remarks.append(Remark("lamp", light.name, LINKED))
         return
@@ -195,8 +231,13 @@ def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
     if plain:
         socket = emissions[0].inputs["Color"]
         product = [a * b for a, b in zip(light.color, socket.default_value, strict=False)]
-        _put_in(light.node_tree, socket, EMISSION, (*product, 1.0))
-        light.color = (1.0, 1.0, 1.0)
+        in_nodes = tuple(socket.default_value)
+        node = _put_in(light.node_tree, socket, EMISSION, (*product, 1.0))
+        if node.node_tree.get(UPSAMPLING) == LIGHT_OF_COLOUR:
+            node.inputs["Color"].default_value = in_nodes
+            before[OWN_COLOUR] = True
+        else:
+            light.color = (1.0, 1.0, 1.0)
         report.spectra += 1
     else:
         if changes or not _is_grey(light.color):
@@ -225,12 +266,19 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
     if films.is_banded(tree):
         return
     for node in list(tree.nodes):
+        for name, what in _STAYS.items():
+            stays = node.inputs.get(name)
+            if stays is not None and (stays.is_linked or stays.default_value > 0.0):
+                report.remarks.append(Remark(kind, owner, f"{node.name}: {what}"))
         if node.type == "SCRIPT" and any(output.type == "SHADER" for output in node.outputs):
             report.remarks.append(Remark(kind, owner, f"{node.name}: a shader in OSL; stays RGB"))
         for name, role in _roles(node).items():
             socket = node.inputs.get(name)
             if socket is None or not _is_needed(node, socket, role):
                 continue
+            if socket.is_linked and socket.links[0].from_node.type in _OF_RGB:
+                what = _OF_RGB[socket.links[0].from_node.type]
+                report.remarks.append(Remark(kind, owner, f"{node.name}: {name}: {what}"))
             if socket.is_linked and socket.links[0].is_muted:
                 report.remarks.append(
                     Remark(kind, owner, f"{node.name}: {name}: its link is muted; stays RGB")
@@ -273,10 +321,16 @@ def _is_grey(colour) -> bool:
 
 def _put_in(
     tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, role: str, colour: tuple | None
-) -> None:
+) -> bpy.types.ShaderNodeGroup:
     """A group between the socket and what it had; `colour` in place of the socket's own."""
     node = _new_node(tree, socket)
-    if socket.is_linked:
+    kelvin = _temperature(socket) if role == EMISSION else None
+    if kelvin is not None:
+        glow = Described.named(f"blackbody:{kelvin:g}")
+        node.node_tree = spectrum_group(glow, keeps_rgb=True)
+        node.inputs[LUMINANCE].default_value = 1.0  # as Blender has it
+        tree.links.new(socket.links[0].from_socket, node.inputs[BEFORE])
+    elif socket.is_linked:
         node.node_tree = upsampling_group(_OF_MIXTURE[role])
         tree.links.new(socket.links[0].from_socket, node.inputs["Color"])
     elif animation.is_animated(socket):
@@ -288,6 +342,16 @@ def _put_in(
         _fill(node, role, given)
         node.inputs["Color"].default_value = given
     tree.links.new(node.outputs[0], socket)
+    return node
+
+
+def _temperature(socket: bpy.types.NodeSocket) -> float | None:
+    """Of Blender's own black body, where nothing changes it."""
+    source = socket.links[0].from_node if socket.is_linked else None
+    if source is None or source.type != "BLACKBODY" or not _is_constant(source.inputs[0]):
+        return None
+    kelvin = source.inputs[0].default_value
+    return kelvin if kelvin >= _COOLEST_K else None
 
 
 def _new_node(tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bpy.types.ShaderNodeGroup:

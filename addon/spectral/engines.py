@@ -12,6 +12,7 @@ import numpy as np
 from ..blender.denoise import is_possible
 from ..core.faults import ForeseenError
 from .lamps import lamps_in_bands
+from .marks import has_own_colour
 from .plan import Plan
 
 Setting = tuple[bpy.types.bpy_struct, str, Any]
@@ -68,6 +69,11 @@ class _Cycles(Engine):
             (cycles, "use_animated_seed", False),
             (cycles, "time_limit", 0.0),
             (cycles, "sample_offset", 0),
+            *(
+                (light, "color", (1.0, 1.0, 1.0))
+                for light in bpy.data.lights
+                if has_own_colour(light)
+            ),
         ]
         if not _has_subsets(cycles):
             return [*wanted, (cycles, "samples", each)]

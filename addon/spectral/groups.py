@@ -11,7 +11,7 @@ from ..blender.space import of_file, state
 from ..core.space import REC709, conversion, conversion_from_xyz, converted
 from . import attributes
 from .described import DAYLIGHT, EMISSION, Described, SpectrumError
-from .marks import BEFORE, LUMINANCE, SPECTRUM, UPSAMPLING
+from .marks import BEFORE, KEEPS_RGB, LUMINANCE, SPECTRUM, UPSAMPLING
 
 REFLECTANCE_OF_COLOUR = "Colour as Spectrum"
 REFLECTANCE_OF_MIXTURE = "Mixed Colour as Spectrum"
@@ -19,14 +19,16 @@ LIGHT_OF_COLOUR = "Light of a Colour"
 LIGHT_OF_MIXTURE = "Mixed Light"
 
 
-def spectrum_group(spectrum: Described) -> bpy.types.NodeTree:
-    """*Color*; of a light as bright as its *Luminance*. *Before* does nothing but hold what was where
-    the group is now. The group that is there, or a new one."""
+def spectrum_group(spectrum: Described, *, keeps_rgb: bool = False) -> bpy.types.NodeTree:
+    """*Color*; of a light as bright as its *Luminance*. *Before* holds what was where the group is now; in
+    RGB the colour is that of the spectrum, or as *Before* has it. The group that is there, or a new one."""
     for group in bpy.data.node_groups:
-        if group.get(SPECTRUM) == spectrum.text:
+        if group.get(SPECTRUM) == spectrum.text and bool(group.get(KEEPS_RGB)) == keeps_rgb:
             return group
     group = bpy.data.node_groups.new(f"Spectrum: {spectrum.name}"[:63], "ShaderNodeTree")
     group[SPECTRUM] = spectrum.text
+    if keeps_rgb:
+        group[KEEPS_RGB] = True
     state(group)
     sockets = group.interface
     if spectrum.kind == EMISSION:
@@ -37,10 +39,13 @@ def spectrum_group(spectrum: Described) -> bpy.types.NodeTree:
     sockets.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
     formula = Formula(group)
     inputs = formula.node("NodeGroupInput").outputs
-    chosen = choice(
-        formula, (*rgb_of(spectrum), 1.0), attributes.triple(formula, spectrum.attribute)
-    )
-    end(formula, formula.scaled(chosen, inputs[LUMINANCE]) if LUMINANCE in inputs else chosen)
+    banded = attributes.triple(formula, spectrum.attribute)
+    rgb: Operand = inputs[BEFORE] if keeps_rgb else (*rgb_of(spectrum), 1.0)
+    if LUMINANCE in inputs:
+        banded = formula.scaled(banded, inputs[LUMINANCE])
+        if not keeps_rgb:
+            rgb = formula.scaled(rgb_of(spectrum), inputs[LUMINANCE])
+    end(formula, choice(formula, rgb, banded))
     return group
 
 

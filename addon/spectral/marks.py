@@ -10,6 +10,8 @@ import bpy
 
 SPECTRUM = "nacre_spectrum"
 """Custom property of a group of one spectrum: what it is, as Described.text has it."""
+KEEPS_RGB = "nacre_keeps_rgb"
+"""And that in RGB it hands on what was there before."""
 LUMINANCE, BEFORE = "Luminance", "Before"
 """Inputs of such a group."""
 UPSAMPLING = "nacre_upsampling"
@@ -20,6 +22,10 @@ BLOCK = "nacre_block"
 """Custom property of a group that forms for bands are built of: which one it is."""
 MADE = "nacre_made_spectral"
 """Custom property of nodes that were put in, and of lamps: what they were before."""
+
+OWN_COLOUR = "own_colour"
+"""In what MADE says of a lamp: that its colour is still the lamp's own, for RGB and for engines that look at
+nothing else; in bands its nodes have all of it."""
 
 WORLD = "World"
 """What the scene's world is called among its lamps."""
@@ -42,6 +48,10 @@ def trees() -> Iterator[bpy.types.NodeTree]:
     for group in bpy.data.node_groups:
         if group.bl_idname == "ShaderNodeTree" and group.library is None:
             yield group
+
+
+def has_own_colour(light: bpy.types.Light) -> bool:
+    return MADE in light and OWN_COLOUR in light[MADE]
 
 
 def lit_by(tree: bpy.types.NodeTree | None) -> str:

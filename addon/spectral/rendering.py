@@ -12,6 +12,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
+from mathutils import Color
 
 from ..blender import output
 from ..blender.denoise import denoised
@@ -44,7 +45,7 @@ def prepared(
         (layer.cycles, "denoising_store_passes", denoise),
         *engine.settings(plan, samples),
     ]
-    before = [(owner, name, getattr(owner, name)) for owner, name, _ in wanted]
+    before = [(owner, name, _copied(getattr(owner, name))) for owner, name, _ in wanted]
     try:
         for owner, name, value in wanted:
             setattr(owner, name, value)
@@ -60,6 +61,11 @@ def prepared(
         for owner, name, value in reversed(before):
             setattr(owner, name, value)
         attributes.take_away(scene)
+
+
+def _copied(value: object) -> object:
+    """A colour that is read is the property itself."""
+    return tuple(value) if isinstance(value, Color) else value
 
 
 @dataclass(frozen=True)

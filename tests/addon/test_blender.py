@@ -110,6 +110,10 @@ def test_spectral_scene_and_back(blender, tmp_path):
     blender.script("spectral/scene", tmp_path)
 
 
+def test_lamps_of_a_spectral_file(blender, tmp_path):
+    blender.script("spectral/lamps", tmp_path)
+
+
 def test_films_and_keyframes_in_a_spectral_file(blender, tmp_path):
     blender = blender.with_materials("oil_on_water", "tempered_steel")
     blender.script("spectral/films", tmp_path)
