@@ -21,7 +21,7 @@ CENTRE_NM, HALF_WIDTH_NM = 595.0, 235.0
 WAVELENGTHS = "nacre_wavelengths"
 """That variable of the three bands."""
 LIVE = "nacre_live"
-"""1 for the one of the three bands that goes through dispersive glass in a pass, 0 for the others."""
+"""Of the three bands: how bright it comes through dispersive glass in a pass, of two of them 0."""
 LIVE_NM = "nacre_live_nm"
 """Its wavelength."""
 

@@ -62,7 +62,7 @@ def dispersive_glass() -> bpy.types.ShaderNodeTree:
     passed = formula.node("ShaderNodeBsdfRefraction", distribution="GGX")
     share = formula.node("ShaderNodeFresnel")
     of_reflected, of_passed = _gains(formula, inputs["Roughness"], inputs["Normal"])
-    live = formula.scaled(attributes.triple(formula, attributes.LIVE), 3.0)
+    live = attributes.triple(formula, attributes.LIVE)
     for node, given in (
         (reflected, {**surface, "Color": of_reflected}),
         (passed, {**surface, "Color": formula.scaled(live, of_passed), "IOR": ior}),

@@ -268,7 +268,9 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
     for node in list(tree.nodes):
         for name, what in _STAYS.items():
             stays = node.inputs.get(name)
-            if stays is not None and (stays.is_linked or stays.default_value > 0.0):
+            if node.type == "GROUP" or stays is None:
+                continue
+            if stays.is_linked or stays.default_value > 0.0:
                 report.remarks.append(Remark(kind, owner, f"{node.name}: {what}"))
         if node.type == "SCRIPT" and any(output.type == "SHADER" for output in node.outputs):
             report.remarks.append(Remark(kind, owner, f"{node.name}: a shader in OSL; stays RGB"))

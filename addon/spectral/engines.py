@@ -27,6 +27,8 @@ class Engine:
 
     has_all_tables = True
     """Whether tables of all passes are there at once, and nothing is loaded anew from pass to pass."""
+    live = 3.0
+    """What a lobe that is refracted first has to be multiplied by, so that it is three times as bright."""
 
     def __init__(self, scene: bpy.types.Scene) -> None:
         self.scene = scene
@@ -101,6 +103,8 @@ class _Eevee(Engine):
     no nodes."""
 
     has_all_tables = False
+    live = 3.0**0.5
+    """A body is two surfaces to it, of which it looks at the first and takes its colour twice."""
 
     def __init__(self, scene: bpy.types.Scene) -> None:
         super().__init__(scene)

@@ -71,8 +71,8 @@ class Plan:
         first = self.triple(number)
         return first, first + self.triples, first + 2 * self.triples
 
-    def properties(self, number: int) -> Values:
-        """What nodes are told in this pass."""
+    def properties(self, number: int, live: float = 3.0) -> Values:
+        """What nodes are told in this pass; `live`: see engines."""
         indices = self.indices(number)
         variables = [polynomial_variable(self.bands.wavelength_nm[k]) for k in indices]
         values = {name: [float(of_all[k]) for k in indices] for name, of_all in self.values.items()}
@@ -83,9 +83,9 @@ class Plan:
             **values,
         }
         if self.disperses:
-            live = number // self.triples
-            told[LIVE] = [float(channel == live) for channel in range(3)]
-            told[LIVE_NM] = float(self.bands.wavelength_nm[indices[live]])
+            turn = number // self.triples
+            told[LIVE] = [live if channel == turn else 0.0 for channel in range(3)]
+            told[LIVE_NM] = float(self.bands.wavelength_nm[indices[turn]])
         return told
 
 

@@ -54,7 +54,7 @@ def prepared(
             def begin(number: int) -> None:
                 engine.begin(plan, number)
                 show_tables(number)
-                attributes.put(scene, plan.properties(number))
+                attributes.put(scene, plan.properties(number, engine.live))
 
             yield begin
     finally:

@@ -144,3 +144,17 @@ def _inside(picture: np.ndarray) -> np.ndarray:
     """The mean of each sphere's middle."""
     spheres = picture.reshape(2, 16, 3, 16, 3).swapaxes(1, 2).reshape(6, 16, 16, 3)
     return spheres[:, 4:12, 4:12].mean(axis=(1, 2))
+
+
+def test_eevee_has_as_much_light_in_each_turn(blender):
+    """It takes the colour of a body twice. In few samples and ten bits."""
+    if blender.version != "4.5" and not os.environ.get("NACRE_SOAK"):
+        pytest.skip("seen in one version")
+    folder = blender.folder / "eevee"
+    folder.mkdir()
+    turns = np.array(
+        blender.call("spectral_glass.eevee", material="sf11", folder=str(folder), samples=16)
+    )
+    print(turns)
+    assert (turns[~np.eye(3, dtype=bool)] < 0.12).all()
+    np.testing.assert_allclose(turns.mean(axis=0), 0.92, atol=0.12)  # what it has in RGB

@@ -9,6 +9,7 @@ from pathlib import Path
 import bpy
 
 from . import extension
+from .eevee import engine as eevee_engine
 from .furnace import blenders_own, film, keep_all_light
 from .pictures import empty_scene, render_picture
 from .prism import add_camera, wedge_of
@@ -165,3 +166,39 @@ def _wall() -> bpy.types.Object:
     tree.links.new(emission.outputs[0], output.inputs["Surface"])
     mesh.materials.append(material)
     return bpy.data.objects.new("wall", mesh)
+
+
+def eevee(*, material: str, folder: str, samples: int) -> list:
+    """A ball under a white sky in EEVEE, in the three turns of a pass: what each channel has of its middle."""
+    scene = empty_scene()
+    shape = extension.module("background.scenes.shape").sphere
+    item = shape(scene, "Sphere", (0.0, 0.0, 0.0), 1.0, rings=16)
+    glass = film(scene, {"material": material, "form": "nodes", "values": {}})
+    glass.use_raytrace_refraction = True
+    item.data.materials.append(glass)
+    scene.world = bpy.data.worlds.new("world")
+    scene.world.use_nodes = True
+    background = next(node for node in scene.world.node_tree.nodes if node.type == "BACKGROUND")
+    background.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.location, camera.rotation_euler = (0.0, -6.0, 0.0), (1.5708, 0.0, 0.0)
+    camera.data.lens = 200.0
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.render.resolution_x = scene.render.resolution_y = 8
+    scene.render.engine = eevee_engine(scene)
+    scene.eevee.use_raytracing = True
+    extension.module("spectral.convert").make_spectral()
+    rendering = extension.module("spectral.rendering")
+    plan = extension.module("spectral.needs").plan_for(scene, 4)
+    passes = rendering.beside(Path(folder) / "ball.exr", scene, plan, samples)
+    passes.begin(resume=False)
+    found = []
+    with rendering.prepared(scene, plan, samples) as begin:
+        for number in range(0, plan.passes, plan.triples):
+            begin(number)
+            bpy.ops.render.render()
+            passes.save(scene, number)
+            channels = extension.module("core.exr").read_channels(passes.files[number])
+            found.append([sum(channels[f"Combined.{name}"]) / 64 for name in "RGB"])
+    return found

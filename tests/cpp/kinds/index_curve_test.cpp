@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace nacre::kinds::glass {
 namespace {
@@ -15,7 +14,7 @@ double at(const IndexCurve& curve, double nm)
 {
     const double x = curve.slope_nm / nm + curve.offset;
     double sum = 0.0;
-    for (const double coefficient : curve.power | std::views::reverse) sum = sum * x + coefficient;
+    for (auto it = curve.power.rbegin(); it != curve.power.rend(); ++it) sum = sum * x + *it;
     return sum;
 }
 

@@ -96,6 +96,7 @@ private:
     {
         if (text.empty()) {
             std::vector<double> nm;
+            nm.reserve(channels.size());
             for (const auto& [wavelength, channel] : channels) nm.push_back(wavelength);
             return said("channels",
                         [&nm] { return bands::bands_around(nm, spectral::ObserverId::cie1931); });

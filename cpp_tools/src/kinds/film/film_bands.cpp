@@ -137,6 +137,7 @@ std::vector<spectral::Sampled> film_fringes(const MaterialTemplate& source,
     };
     std::vector<spectral::Sampled> films;
     if (!variation) return std::vector(static_cast<std::size_t>(count), at(0.0));
+    films.reserve(static_cast<std::size_t>(count));
     for (int i = 0; i < count; ++i)
         films.push_back(at(variation->max * (0.9 + 0.1 * i / (count - 1))));
     return films;

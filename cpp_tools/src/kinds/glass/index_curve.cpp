@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <ranges>
+#include <utility>
 
 #include "nacre/spectral/wavelengths.h"
 
@@ -52,7 +52,7 @@ std::vector<double> powers(const std::vector<double>& chebyshev)
 double polynomial(const std::vector<double>& power, double x)
 {
     double sum = 0.0;
-    for (const double coefficient : power | std::views::reverse) sum = sum * x + coefficient;
+    for (auto it = power.rbegin(); it != power.rend(); ++it) sum = sum * x + *it;
     return sum;
 }
 
