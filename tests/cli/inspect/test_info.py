@@ -20,10 +20,12 @@ BANDS = {
 }
 
 
-def picture(path, bands):
+def picture(path, bands, lights=None):
     spec = oiio.ImageSpec(4, 2, 4, oiio.FLOAT)
     spec.channelnames = [f"S0.{nm},000nm" for nm in (450, 550, 589, 640)]
     spec.attribute("nacre:bands", bands)
+    if lights is not None:
+        spec.attribute("nacre:lights", lights)
     buffer = oiio.ImageBuf(spec)
     buffer.set_pixels(oiio.ROI(), np.zeros((2, 4, 4), np.float32))
     assert buffer.write(str(path)), buffer.geterror()
@@ -36,6 +38,17 @@ def test_a_spectral_picture_in_a_line(nacre, tmp_path):
     assert line in said.splitlines()
     assert "edges_nm" not in said
     assert "not a table" not in said
+
+
+def test_lights_of_layers_without_their_powers(nacre, tmp_path):
+    lights = [
+        {"layer": "", "light": "D65", "power": [1]},
+        {"layer": "Key", "light": "A", "power": [2]},
+    ]
+    file = picture(tmp_path / "a.exr", json.dumps(BANDS), json.dumps(lights))
+    assert "lit by D65, Key A" in nacre.ok("info", file).splitlines()
+    odd = picture(tmp_path / "b.exr", json.dumps(BANDS), '[{"layer": 3}]')
+    assert 'lights: [{"layer":3}]' in nacre.ok("info", odd)
 
 
 def test_json_has_all_of_it(nacre, tmp_path):

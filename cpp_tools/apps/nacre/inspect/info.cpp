@@ -108,6 +108,20 @@ std::optional<std::string> bands_text(const ordered_json& bands)
     return text + "\n";
 }
 
+/// Which light each layer of a spectral picture is of; nothing where it is not as written here.
+std::optional<std::string> lights_text(const ordered_json& lights)
+{
+    if (!lights.is_array()) return std::nullopt;
+    std::vector<std::string> parts;
+    for (const ordered_json& entry : lights) {
+        if (!entry.is_object() || !entry.contains("layer") || !entry.contains("light"))
+            return std::nullopt;
+        const std::string layer = member_text(entry, "layer"), light = member_text(entry, "light");
+        parts.push_back(layer.empty() ? light : fmt::format("{} {}", layer, light));
+    }
+    return fmt::format("lit by {}\n", fmt::join(parts, ", "));
+}
+
 std::string text_of(const ordered_json& description)
 {
     std::string text = fmt::format(
@@ -125,7 +139,10 @@ std::string text_of(const ordered_json& description)
         if (name == "file" || name == "format" || name == "width" || name == "height" ||
             name == "channels" || name == "depth" || (name == "bands" && spectral))
             continue;
-        if (name == "axes" && value.is_array()) {
+        const auto lights = name == "lights" ? lights_text(value) : std::nullopt;
+        if (lights) {
+            text += *lights;
+        } else if (name == "axes" && value.is_array()) {
             for (const ordered_json& axis : value)
                 if (axis.is_object()) text += fmt::format("axis: {}\n", axis_text(axis));
         } else {
