@@ -1,5 +1,5 @@
 # SPDX-FileCopyrightText: Nacre contributors
-# SPDX-License-Identifier: GPL-3.0-or-later
+# SPDX-License-Identifier: Apache-2.0
 """Lamps keep their own colour for RGB and for EEVEE's viewport, which looks at nothing else; in bands their
 nodes have all of it. Blender's black bodies are black bodies; what is Blender's own RGB is named."""
 
