@@ -20,8 +20,8 @@ NUMBERS = ("float", "int", "color")
 CASES = [
     (material, form, preset)
     for material in SHADER_MATERIALS
-    for form, graph in manifest(material)["graphs"].items()
-    if graph is not None
+    for form in ("osl", "nodes")  # that for bands is seen by test_spectral_glass
+    if manifest(material)["graphs"][form] is not None
     for preset in (None, *(each["name"] for each in manifest(material).get("presets", [])))
 ]
 
