@@ -152,14 +152,6 @@ class Film:
         with _told():
             return nacre.optical_thickness(self.template, self.tree.name)
 
-    @property
-    def fringes(self) -> np.ndarray:
-        """Its reflectance at some thicknesses, (T, 471)."""
-        import nacre
-
-        with _told():
-            return nacre.film_fringes(self.template, file=self.tree.name)
-
 
 @contextlib.contextmanager
 def _told() -> Iterator[None]:
@@ -185,14 +177,9 @@ def films() -> list[Film]:
     ]
 
 
-def fringes() -> dict[float, np.ndarray]:
-    """What bands are chosen by: reflectances of films (T, 471), by their optical thickness in nm. Raises
-    FilmError."""
-    found: dict[float, list[np.ndarray]] = {}
-    for film in films():
-        if film.optical_thickness_nm > 0.0:
-            found.setdefault(film.optical_thickness_nm, []).append(film.fringes)
-    return {nm: np.concatenate(rows) for nm, rows in found.items()}
+def thicknesses_nm() -> tuple[float, ...]:
+    """What bands are chosen by. Raises FilmError."""
+    return tuple(sorted({film.optical_thickness_nm for film in films()} - {0.0}))
 
 
 def digest() -> str:

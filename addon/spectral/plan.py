@@ -93,22 +93,25 @@ def make(
     spectra: Mapping[str, Described],
     triples: int | None = None,
     *,
-    films: Mapping[float, np.ndarray] | None = None,
+    films_nm: tuple[float, ...] = (),
     spread_px: float | None = None,
     observer: str = "cie1931",
 ) -> Plan:
-    """Of as many bands as are needed where no number of triples is given. films: reflectances (T, 471) by
-    optical thickness; spread_px: how far from each other
-    what disperses sends the lines F and C; None where nothing does. Raises PlanError."""
+    """Of as many bands as are needed where no number of triples is given. films_nm: optical thicknesses;
+    spread_px: how far from each other what disperses sends the lines F and C, None where nothing does. Raises
+    PlanError."""
     lights = [found.as_light for found in spectra.values() if found.kind == EMISSION] or [
         DAYLIGHT.as_light
     ]
     choice = None
     try:
         if triples is None:
-            needs = {**_fringes(films or {}), **_spread(spread_px)}
             bands, choice = nacre.choose_bands(
-                lights, wavelength_nm=_EVERY_NM, observer=observer, **needs
+                lights,
+                wavelength_nm=_EVERY_NM,
+                films_nm=films_nm,
+                observer=observer,
+                **_spread(spread_px),
             )
         else:
             bands = nacre.bands(3 * triples, lights, observer)
@@ -118,13 +121,6 @@ def make(
     for name, reflectance in zip(BASIS, nacre.rgb_basis().T, strict=True):
         values[name] = np.interp(bands.wavelength_nm, _EVERY_NM, reflectance)
     return Plan(bands, values, choice, spread_px is not None)
-
-
-def _fringes(films: Mapping[float, np.ndarray]) -> dict[str, Any]:
-    if not films:
-        return {}
-    thicknesses = [nm for nm, rows in films.items() for _ in rows]
-    return {"films_nm": thicknesses, "film_reflectances": np.concatenate(list(films.values()))}
 
 
 def _spread(spread_px: float | None) -> dict[str, Any]:

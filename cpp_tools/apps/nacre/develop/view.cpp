@@ -123,7 +123,7 @@ std::vector<Vec3> colours_of_bands(const Bands& bands, const Viewer& viewer,
     } else {
         for (const bands::Band& band : seen.bands) colours.push_back(band.xyz);
     }
-    const double gain = std::exp2(viewer.exposure);
+    const double gain = std::pow(2.0, viewer.exposure);
     for (Vec3& colour : colours) {
         if (!viewer.raw) colour = multiply(matrix, colour);
         for (double& value : colour) value *= gain;
