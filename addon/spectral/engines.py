@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from typing import Any
 
 import bpy
@@ -22,7 +23,7 @@ class EngineError(ForeseenError):
     """It cannot render bands."""
 
 
-class Engine:
+class Engine(ABC):
     """Of a scene."""
 
     has_all_tables = True
@@ -34,20 +35,20 @@ class Engine:
         self.scene = scene
 
     @property
-    def samples(self) -> int:
-        raise NotImplementedError
+    @abstractmethod
+    def samples(self) -> int: ...
 
     @property
     def denoises(self) -> bool:
         return False
 
+    @abstractmethod
     def settings(self, plan: Plan, samples: int) -> list[Setting]:
         """While passes are rendered."""
-        raise NotImplementedError
 
+    @abstractmethod
     def begin(self, plan: Plan, number: int) -> None:
         """The pass of a number is next; `settings` are in force."""
-        raise NotImplementedError
 
 
 class _Cycles(Engine):

@@ -36,17 +36,7 @@ def light_by_depth(world: bpy.types.World, depth: int) -> None:
     tree = world.node_tree
     background = next(node for node in tree.nodes if node.type == "BACKGROUND")
     path = tree.nodes.new("ShaderNodeLightPath")
-
-    def math(operation: str, *operands) -> bpy.types.NodeSocket:
-        node = tree.nodes.new("ShaderNodeMath")
-        node.operation = operation
-        for at, operand in zip(node.inputs, operands, strict=False):
-            if isinstance(operand, bpy.types.NodeSocket):
-                tree.links.new(operand, at)
-            else:
-                at.default_value = operand
-        return node.outputs[0]
-
+    math = extension.module("blender.formula").Formula(tree).number
     crossed = math("COMPARE", path.outputs["Transparent Depth"], float(depth), 0.5)
     unbent = math("COMPARE", path.outputs["Transmission Depth"], 0.0, 0.5)
     lit = math("MULTIPLY", crossed, unbent)

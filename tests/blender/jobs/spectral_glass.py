@@ -50,17 +50,7 @@ def _straight_light(scene: bpy.types.Scene):
     path, geometry = tree.nodes.new("ShaderNodeLightPath"), tree.nodes.new("ShaderNodeNewGeometry")
     axes = tree.nodes.new("ShaderNodeSeparateXYZ")
     tree.links.new(geometry.outputs["Incoming"], axes.inputs[0])
-
-    def number(operation: str, *operands) -> bpy.types.NodeSocket:
-        node = tree.nodes.new("ShaderNodeMath")
-        node.operation = operation
-        for at, operand in zip(node.inputs, operands, strict=False):
-            if isinstance(operand, bpy.types.NodeSocket):
-                tree.links.new(operand, at)
-            else:
-                at.default_value = operand
-        return node.outputs[0]
-
+    number = extension.module("blender.formula").Formula(tree).number
     twice = number("COMPARE", path.outputs["Transmission Depth"], 2.0, 0.5)
     unbent = number("COMPARE", path.outputs["Glossy Depth"], 0.0, 0.5)
     seen = number("MULTIPLY", twice, unbent)
