@@ -35,6 +35,7 @@ from .marks import (
     OWN_COLOUR,
     UPSAMPLING,
     has_own_colour,
+    is_drawing,
     is_ours,
     trees,
 )
@@ -118,6 +119,10 @@ def make_spectral() -> Report:
                 report.remarks.append(Remark("node group", group.name, LINKED))
             else:
                 _convert_tree(group, "node group", group.name, report)
+    for item in bpy.data.objects:
+        if is_drawing(item):
+            text = "is a drawing, which no engine renders; left out of bands"
+            report.remarks.append(Remark("object", item.name, text))
     return report
 
 

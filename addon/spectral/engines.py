@@ -13,6 +13,7 @@ import numpy as np
 from ..blender.denoise import is_possible
 from ..core.faults import ForeseenError
 from .lamps import lamps_in_bands
+from .light_tree import LightTree
 from .marks import has_own_colour
 from .plan import Plan
 
@@ -66,7 +67,9 @@ class _Cycles(Engine):
 
     def settings(self, plan: Plan, samples: int) -> list[Setting]:
         cycles, each = self.scene.cycles, samples_for(samples, plan.passes)
+        self._light_tree = LightTree(plan)
         wanted = [
+            *self._light_tree.settings(),
             (cycles, "use_adaptive_sampling", False),
             (cycles, "use_denoising", False),
             (cycles, "use_animated_seed", False),
@@ -91,6 +94,7 @@ class _Cycles(Engine):
         cycles = self.scene.cycles
         each = cycles.sample_subset_length if _has_subsets(cycles) else cycles.samples
         cycles.sample_offset = number * each
+        self._light_tree.renew(plan.indices(number))
 
 
 def _has_subsets(cycles: bpy.types.bpy_struct) -> bool:

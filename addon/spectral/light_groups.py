@@ -36,7 +36,7 @@ def lights_of(scene: bpy.types.Scene, names: list[str], plan: Plan) -> list[dict
         lights = {light.text: light for light in _lights(scene, name)}
         if len(lights) == 1:
             (light,) = lights.values()
-            power = [float(value) for value in plan.values[light.attribute]]
+            power = [float(value) for value in plan.values[light.attribute] / plan.white]
             found.append({"layer": name, "light": light.name, "power": power})
     return found
 

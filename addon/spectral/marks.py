@@ -50,6 +50,11 @@ def trees() -> Iterator[bpy.types.NodeTree]:
             yield group
 
 
+def is_drawing(item: bpy.types.Object) -> bool:
+    """Of Grease Pencil, which Blender draws over what engines render."""
+    return item.type in ("GREASEPENCIL", "GPENCIL")  # from Blender 4.3 on, before
+
+
 def has_own_colour(light: bpy.types.Light) -> bool:
     return MADE in light and OWN_COLOUR in light[MADE]
 

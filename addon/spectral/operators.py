@@ -189,6 +189,8 @@ class NACRE_OT_show_rgb(bpy.types.Operator):
 
 
 def _has(item: bpy.types.Object, kind: str, name: str) -> bool:
+    if kind == "object":
+        return item.name == name
     if kind == "lamp":
         return item.type == "LIGHT" and item.data.name == name
     materials = [slot.material for slot in item.material_slots if slot.material is not None]

@@ -37,6 +37,9 @@ class PlanError(ForeseenError):
 class Plan:
     """3 N bands, three a pass; `values`: of each property in each band, (3 N,).
 
+    Lights are rendered times `white`, so that a pass is as bright as a picture in RGB: what engines hold
+    against a number, clamping, the threshold of small lights, and lights that stay RGB mean the same then.
+
     Where something disperses light each three are rendered thrice, as only one of them at a time goes
     through it.
     """
@@ -47,6 +50,12 @@ class Plan:
     disperses: bool = False
     kept: dict[Any, Any] = field(default_factory=dict, repr=False, compare=False)
     """What is made for it once, of all frames."""
+
+    @property
+    def white(self) -> np.ndarray:
+        """(3 N,): the inverse of what each band has of a light of 1 to the eye that is the same everywhere, or
+        is that line alone: a line has hardly a band's width, and would be a hundred times as bright."""
+        return white_of(self.bands)
 
     @property
     def triples(self) -> int:
@@ -117,10 +126,19 @@ def make(
             bands = nacre.bands(3 * triples, lights, observer)
     except nacre.NacreError as error:
         raise PlanError(str(error)) from error
-    values = {name: in_bands(bands, found) for name, found in spectra.items()}
+    white = white_of(bands)
+    values = {
+        name: in_bands(bands, found) * (white if found.kind == EMISSION else 1.0)
+        for name, found in spectra.items()
+    }
     for name, reflectance in zip(BASIS, nacre.rgb_basis().T, strict=True):
         values[name] = np.interp(bands.wavelength_nm, _EVERY_NM, reflectance)
     return Plan(bands, values, choice, spread_px is not None)
+
+
+def white_of(bands: nacre.Bands) -> np.ndarray:
+    lines, all_else = bands.XYZ.max(axis=1), bands.XYZ[~bands.is_line].sum(axis=0)
+    return np.where(bands.is_line, lines, all_else.mean())
 
 
 def _spread(spread_px: float | None) -> dict[str, Any]:

@@ -22,6 +22,7 @@ from ..core.whole_file import write_whole
 from . import attributes, films, light_groups
 from .described import DAYLIGHT
 from .engines import engine_of
+from .marks import is_drawing
 from .plan import Plan, in_bands
 
 
@@ -35,13 +36,14 @@ def prepared(
     scene: bpy.types.Scene, plan: Plan, samples: int, *, denoise: bool = False
 ) -> Iterator[Callable[[int], None]]:
     """Yields what makes the scene render the pass of a number; all is as it was at the end. The compositor
-    would see three wavelengths as colours, and is left out. Raises ForeseenError."""
+    and drawings would take three wavelengths for colours, and are left out. Raises ForeseenError."""
     engine, render, layer = engine_of(scene), scene.render, layer_of(scene)
     wanted = [
         (render, "use_persistent_data", True),
         (render, "use_compositing", False),
         (render, "use_sequencer", False),
         *((other, "use", other == layer) for other in scene.view_layers),
+        *((item, "hide_render", True) for item in scene.objects if is_drawing(item)),
         (layer.cycles, "denoising_store_passes", denoise),
         *engine.settings(plan, samples),
     ]
@@ -174,10 +176,11 @@ def rendered(passes: Passes) -> Rendered:
             return np.stack(values, axis=-1).reshape(height, width, len(names))
 
         indices = list(plan.indices(number))
-        radiance[..., indices] += of(*(f"Combined.{channel}" for channel in "RGB")) / plan.turns
+        divisor = plan.turns * plan.white[indices].astype(np.float32)
+        radiance[..., indices] += of(*(f"Combined.{channel}" for channel in "RGB")) / divisor
         for name, of_group in groups.items():
             shown = (f"{light_groups.pass_of(name)}.{channel}" for channel in "RGB")
-            of_group[..., indices] += of(*shown) / plan.turns
+            of_group[..., indices] += of(*shown) / divisor
         alpha += of("Combined.A")[..., 0] / len(files)
         guided = guided and "Denoising Albedo.R" in channels
         if guided:

@@ -13,7 +13,7 @@ LINKED = "is linked from another file; stays RGB"
 class Remark:
     """Something that stays RGB: of which block of data, and what."""
 
-    kind: str  # "material", "lamp", "world", "node group"
+    kind: str  # "material", "lamp", "world", "node group", "object"
     name: str
     text: str
 

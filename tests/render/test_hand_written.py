@@ -20,7 +20,7 @@ NUMBERS = ("float", "int", "color")
 CASES = [
     (material, form, preset)
     for material in SHADER_MATERIALS
-    for form in ("osl", "nodes")  # that for bands is seen by test_spectral_glass
+    for form in ("osl", "nodes")  # that for bands is seen by test_glass_in_bands
     if manifest(material)["graphs"][form] is not None
     for preset in (None, *(each["name"] for each in manifest(material).get("presets", [])))
 ]

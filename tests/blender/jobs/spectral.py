@@ -74,15 +74,18 @@ def lit_chart(
     *, reflectances: list[str], light: str, folder: str, size: int, samples: int, passes: int
 ) -> dict:
     """A row of matt patches, the last one white, under a coloured lamp that gets a spectrum: as they
-    were (before.exr), in bands (bands.exr), and with everything undone (after.exr)."""
+    were (before.exr), in bands (bands.exr), and with everything undone (after.exr). The lamp's colour is dark,
+    as Cycles leaves out lamps that were dark in the pass before; bright samples are clamped, of which there
+    are none."""
     convert = extension.module("spectral.convert")
     described = extension.module("spectral.described").Described
     scene = empty_scene()
     for column, reflectance in enumerate([*reflectances, ""]):
         patch(scene, column, 0, matt(reflectance))
     lamp = bpy.data.lights.new("lamp", "SUN")
-    lamp.angle, lamp.energy, lamp.color = 0.0, 2.0, (1.0, 0.8, 0.5)
+    lamp.angle, lamp.energy, lamp.color = 0.0, 20.0, (0.1, 0.08, 0.05)
     scene.collection.objects.link(bpy.data.objects.new("lamp", lamp))
+    scene.cycles.sample_clamp_direct = 2.0
     seen_from_above(scene, len(reflectances) + 1, 1, size)
     places = {name: str(Path(folder) / f"{name}.exr") for name in ("before", "bands", "after")}
     width, height = scene.render.resolution_x, scene.render.resolution_y
@@ -166,7 +169,7 @@ def _material(name: str, colour: tuple) -> bpy.types.Material:
     return material
 
 
-def _box() -> bpy.types.Scene:
+def room() -> bpy.types.Scene:
     """A room with coloured walls: constants, a picture, colours that nodes compute, a tinted lamp, a
     coloured world, a glowing ball."""
     scene = empty_scene()
@@ -231,7 +234,7 @@ def box(*, folder: str, size: int, samples: int, passes: int) -> dict:
     """As it is (before.exr), made spectral but rendered in RGB (rgb.exr), in bands (bands.exr), and
     with everything undone (after.exr)."""
     convert = extension.module("spectral.convert")
-    scene = _box()
+    scene = room()
     places = {
         name: str(Path(folder) / f"{name}.exr") for name in ("before", "rgb", "bands", "after")
     }
@@ -289,41 +292,6 @@ def films(
         "blocks_before": blocks_before,
         "blocks": blocks(),
     }
-
-
-def settings(*, folder: str, size: int, samples: int, passes: int) -> dict:
-    """A box in bands (plain.exr), denoised (clean.exr), with many samples (truth.exr), and with all that
-    gets in the way of passes (awkward.exr); which of the settings were not put back."""
-    convert = extension.module("spectral.convert")
-    scene = _box()
-    scene.render.resolution_x = scene.render.resolution_y = size
-    scene.cycles.use_adaptive_sampling = False
-    convert.make_spectral()
-    place = {n: str(Path(folder) / f"{n}.exr") for n in ("plain", "clean", "truth", "awkward")}
-    rendered(scene, place["plain"], samples, passes)
-    rendered(scene, place["clean"], samples, passes, denoise=True)
-    rendered(scene, place["truth"], 64 * samples, passes)
-    other = scene.view_layers.new("Other")
-    cycles, render = scene.cycles, scene.render
-    wanted = [
-        (cycles, "use_adaptive_sampling", True),
-        (cycles, "use_denoising", True),
-        (cycles, "use_animated_seed", True),
-        (cycles, "time_limit", 0.001),
-        (cycles, "samples", 5),
-        (render, "use_compositing", True),
-        (render, "use_sequencer", True),
-        (render, "use_persistent_data", False),
-        (render, "film_transparent", True),
-        (other, "use", True),
-    ]
-    for owner, name, value in wanted:
-        setattr(owner, name, value)
-    rendered(scene, place["awkward"], samples, passes)
-    return {
-        "changed": [name for owner, name, value in wanted if getattr(owner, name) != value and
-                    abs(getattr(owner, name) - value) > 1e-6],
-    }  # fmt: skip
 
 
 SURFACES = (
