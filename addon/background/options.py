@@ -178,7 +178,15 @@ def parser() -> argparse.ArgumentParser:
         action="append",
         default=[],
         help="with --spectral: what a lamp of the scene, or World, is: D65, F11, lamp/hps, blackbody:2700, "
-        "line:589.3 …, as bright as it was; may be repeated",
+        "line:589.3, led.csv …, as bright as it was; may be repeated",
+    )
+    picture.add_argument(
+        "--surface",
+        metavar="MATERIAL=SPECTRUM",
+        action="append",
+        default=[],
+        help="with --spectral: the reflectance of a material's colour, of the library or from a file: "
+        "colorchecker/red, paints.csv#ochre; MATERIAL/COLOUR where it has several; may be repeated",
     )
     picture.add_argument(
         "--view",
@@ -310,9 +318,14 @@ def parse(argv: Sequence[str]) -> argparse.Namespace:
 
 
 def _check_spectral(options: argparse.Namespace) -> None:
-    if (options.light or options.bands is not None) and not options.spectral:
-        raise UsageError(f"{'--light' if options.light else '--bands'} needs --spectral")
     if not options.spectral:
+        for name, given in (
+            ("--light", options.light),
+            ("--surface", options.surface),
+            ("--bands", options.bands),
+        ):
+            if given not in (None, []):
+                raise UsageError(f"{name} needs --spectral")
         return
     if options.form == OSL:
         raise UsageError("--spectral renders materials as nodes: --form osl does not go with it")

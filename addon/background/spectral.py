@@ -13,8 +13,8 @@ import bpy
 import nacre
 
 from ..blender import denoise
-from ..spectral import convert, needs, plan, rendering
-from ..spectral.described import Described, SpectrumError
+from ..spectral import convert, give, needs, plan, rendering
+from ..spectral.described import EMISSION, REFLECTANCE, Described, SpectrumError
 from ..spectral.marks import WORLD
 from . import console
 from .options import UsageError
@@ -72,6 +72,8 @@ def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
     report = convert.make_spectral()
     for text in options.light:
         _give_light(scene, text)
+    for text in options.surface:
+        _give_reflectance(text)
     made = needs.plan_for(scene, None if options.bands is None else options.bands // 3)
     notes = [f"{remark.where}: {remark.text}" for remark in report.remarks]
     if made.choice is not None and not made.choice.met:
@@ -97,10 +99,35 @@ def _give_light(scene: bpy.types.Scene, text: str) -> None:
         known = ", ".join([*lamps, *([WORLD] if scene.world is not None else [])]) or "none"
         raise UsageError(f"--light: no lamp {name!r} in the scene {scene.name}; there are: {known}")
     try:
-        described = Described.named(spectrum)
+        described = Described.named(spectrum, EMISSION)
         if name in lamps:
-            convert.give_lamp(lamps[name], described)
+            give.to_lamp(lamps[name], described)
         else:
-            convert.give_world(scene.world, described)
+            give.to_world(scene.world, described)
     except SpectrumError as error:
         raise UsageError(f"--light: {error}") from error
+
+
+def _give_reflectance(text: str) -> None:
+    """Of `MATERIAL=SPECTRUM`, or `MATERIAL/COLOUR=SPECTRUM` where it has several."""
+    name, _, spectrum = text.rpartition("=")
+    material = bpy.data.materials.get(name)
+    label = ""
+    if material is None:
+        owner, _, label = name.rpartition("/")
+        material = bpy.data.materials.get(owner)
+    if material is None:
+        known = ", ".join(found.name for found in bpy.data.materials) or "none"
+        raise UsageError(f"--surface: no material {name!r}; there are: {known}")
+    colours = give.colours_of(material)
+    wanted = [colour for colour in colours if label in ("", colour.label)]
+    if not wanted or (len(wanted) > 1 and not label):
+        labels = ", ".join(colour.label for colour in colours) or "none"
+        raise UsageError(
+            f"--surface: say which colour of {material.name}, {material.name}/COLOUR=…; "
+            f"there are: {labels}"
+        )
+    try:
+        wanted[0].give(Described.named(spectrum, REFLECTANCE))
+    except SpectrumError as error:
+        raise UsageError(f"--surface: {error}") from error

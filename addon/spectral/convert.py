@@ -9,7 +9,7 @@ converted, whatever scene uses it: what is not rendered in bands looks as before
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 import bpy
 
@@ -18,13 +18,12 @@ from ..blender.space import of_file
 from ..core.space import REC709, conversion, converted
 from . import films, forms
 from .attributes import CENTRE_NM, HALF_WIDTH_NM
-from .described import EMISSION, REFLECTANCE, Described, SpectrumError
+from .described import EMISSION, REFLECTANCE, Described
 from .groups import (
     LIGHT_OF_COLOUR,
     LIGHT_OF_MIXTURE,
     REFLECTANCE_OF_COLOUR,
     REFLECTANCE_OF_MIXTURE,
-    rgb_of,
     spectrum_group,
     upsampling_group,
 )
@@ -34,7 +33,6 @@ from .marks import (
     MADE,
     OWN_COLOUR,
     UPSAMPLING,
-    has_own_colour,
     is_drawing,
     is_ours,
     trees,
@@ -105,7 +103,7 @@ def make_spectral() -> Report:
     report = Report()
     _convert_ours(trees(), report)
     for light in bpy.data.lights:
-        _convert_lamp(light, report)
+        convert_lamp(light, report)
     for kind, owners in (("world", bpy.data.worlds), ("material", bpy.data.materials)):
         for owner in owners:
             if owner.library is not None:
@@ -130,10 +128,14 @@ def follow(material: bpy.types.Material) -> None:
     """One that was just assigned or rebuilt, where colours have spectra already."""
     if material.library is not None:
         return
-    report, tree = Report(), material.node_tree
     forms.forget_former(material)
-    _convert_ours([tree], report)
-    _convert_tree(tree, "material", material.name, report)
+    _convert_ours([material.node_tree], Report())
+    renew(material.node_tree)
+
+
+def renew(tree: bpy.types.NodeTree) -> None:
+    """What has no spectrum in it gets one of its colour."""
+    _convert_tree(tree, "", "", Report())
 
 
 def make_rgb() -> int:
@@ -141,13 +143,11 @@ def make_rgb() -> int:
     count = 0
     for tree in trees():
         for node in [node for node in tree.nodes if MADE in node]:
-            _take_out(tree, node)
+            take_out(tree, node)
             count += 1
     for light in bpy.data.lights:
         if MADE in light:
-            light.color = tuple(light[MADE]["color"])
-            light.use_nodes = bool(light[MADE]["use_nodes"])
-            del light[MADE]
+            own_again(light)
     for tree in trees():
         count += forms.use_former(tree)
     for group in [group for group in bpy.data.node_groups if is_ours(group)]:
@@ -156,71 +156,7 @@ def make_rgb() -> int:
     return count
 
 
-def give_lamp(light: bpy.types.Light, spectrum: Described) -> None:
-    """A spectrum in place of the lamp's colour, as bright as that was. Raises SpectrumError."""
-    _convert_lamp(light, Report())
-    sockets = [node.inputs["Color"] for node in light.node_tree.nodes if node.type == "EMISSION"]
-    own = has_own_colour(light)
-    luminances = _give(light.node_tree, sockets, spectrum, f"the lamp {light.name}", light)
-    if own:
-        light.color = [max(0.0, luminances[0] * channel) for channel in rgb_of(spectrum)]
-
-
-def give_world(world: bpy.types.World, spectrum: Described) -> None:
-    """Likewise in place of the world's colour, or of its picture. Raises SpectrumError."""
-    tree = world.node_tree if world.use_nodes else None
-    nodes = tree.nodes if tree is not None else ()
-    sockets = [node.inputs["Color"] for node in nodes if node.type == "BACKGROUND"]
-    _give(tree, sockets, spectrum, f"the world {world.name}")
-
-
-def _give(
-    tree: bpy.types.NodeTree | None,
-    sockets: list[bpy.types.NodeSocket],
-    spectrum: Described,
-    where: str,
-    lamp: bpy.types.Light | None = None,
-) -> list[float]:
-    """Returns how bright each is."""
-    if spectrum.kind != EMISSION:
-        raise SpectrumError(f"{where}: {spectrum.name} is a reflectance, not a light")
-    if not sockets:
-        raise SpectrumError(f"{where} has no node that emits light")
-    keeps_rgb = lamp is not None and has_own_colour(lamp)
-    luminances = []
-    for socket in sockets:
-        luminance = _luminance(socket, lamp.color if keeps_rgb else None)
-        luminances.append(luminance)
-        for source in [link.from_node for link in socket.links]:
-            if MADE in source:
-                _take_out(tree, source)
-        node = _new_node(tree, socket)
-        node.node_tree = spectrum_group(spectrum, keeps_rgb=keeps_rgb)
-        node.inputs[BEFORE].default_value = (1.0, 1.0, 1.0, 1.0)
-        if socket.is_linked:
-            tree.links.new(socket.links[0].from_socket, node.inputs[BEFORE])
-        node.inputs[LUMINANCE].default_value = luminance
-        tree.links.new(node.outputs[0], socket)
-    return luminances
-
-
-def _luminance(socket: bpy.types.NodeSocket, lamp: Sequence[float] | None = None) -> float:
-    """Of the colour that a socket has, on top of it that of a lamp; of one that is computed, as of white."""
-    source = socket.links[0].from_node if socket.is_linked else None
-    if source is None:
-        colour = socket.default_value
-    elif MADE in source and LUMINANCE in source.inputs:
-        return source.inputs[LUMINANCE].default_value
-    elif MADE in source and not source.inputs["Color"].is_linked:
-        colour = source.inputs["Color"].default_value
-    else:
-        return 1.0
-    if lamp is not None:
-        colour = [channel * on_top for channel, on_top in zip(colour, lamp, strict=False)]
-    return sum(row * channel for row, channel in zip(of_file()[1], colour, strict=False))
-
-
-def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
+def convert_lamp(light: bpy.types.Light, report: Report) -> None:
     """In bands all of its colour is in its nodes; its own, which would multiply a spectrum by RGB, is white
     then."""
     if light.library is not None:
@@ -237,7 +173,7 @@ def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
         socket = emissions[0].inputs["Color"]
         product = [a * b for a, b in zip(light.color, socket.default_value, strict=False)]
         in_nodes = tuple(socket.default_value)
-        node = _put_in(light.node_tree, socket, EMISSION, (*product, 1.0))
+        node = put_in(light.node_tree, socket, EMISSION, (*product, 1.0))
         if node.node_tree.get(UPSAMPLING) == LIGHT_OF_COLOUR:
             node.inputs["Color"].default_value = in_nodes
             before[OWN_COLOUR] = True
@@ -251,6 +187,13 @@ def _convert_lamp(light: bpy.types.Light, report: Report) -> None:
             )
         _convert_tree(light.node_tree, "lamp", light.name, report)
     light[MADE] = before
+
+
+def own_again(light: bpy.types.Light) -> None:
+    """A lamp has its own colour, as it was before `convert_lamp`."""
+    light.color = tuple(light[MADE]["color"])
+    light.use_nodes = bool(light[MADE]["use_nodes"])
+    del light[MADE]
 
 
 def _is_constant(socket: bpy.types.NodeSocket) -> bool:
@@ -279,7 +222,7 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
                 report.remarks.append(Remark(kind, owner, f"{node.name}: {what}"))
         if node.type == "SCRIPT" and any(output.type == "SHADER" for output in node.outputs):
             report.remarks.append(Remark(kind, owner, f"{node.name}: a shader in OSL; stays RGB"))
-        for name, role in _roles(node).items():
+        for name, role in roles(node).items():
             socket = node.inputs.get(name)
             if socket is None or not _is_needed(node, socket, role):
                 continue
@@ -295,11 +238,11 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
                 text = f"{node.name}: {name}: shares its keyframes with other data; stays RGB"
                 report.remarks.append(Remark(kind, owner, text))
                 continue
-            _put_in(tree, socket, role, None)
+            put_in(tree, socket, role, None)
             report.spectra += 1
 
 
-def _roles(node: bpy.types.Node) -> dict[str, str]:
+def roles(node: bpy.types.Node) -> dict[str, str]:
     """Colours of a film's own, of a matt base under it, meet light as tables have it."""
     if node.type == "GROUP" and node.node_tree is not None and films.is_banded(node.node_tree):
         return {socket.name: REFLECTANCE for socket in node.inputs if socket.type == "RGBA"}
@@ -326,11 +269,11 @@ def _is_grey(colour) -> bool:
     return max(colour) - min(colour) <= _GREY * max(1.0, *colour)
 
 
-def _put_in(
+def put_in(
     tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, role: str, colour: tuple | None
 ) -> bpy.types.ShaderNodeGroup:
     """A group between the socket and what it had; `colour` in place of the socket's own."""
-    node = _new_node(tree, socket)
+    node = new_node(tree, socket)
     kelvin = _temperature(socket) if role == EMISSION else None
     if kelvin is not None:
         glow = Described.named(f"blackbody:{kelvin:g}")
@@ -361,7 +304,7 @@ def _temperature(socket: bpy.types.NodeSocket) -> float | None:
     return kelvin if kelvin >= _COOLEST_K else None
 
 
-def _new_node(tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bpy.types.ShaderNodeGroup:
+def new_node(tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bpy.types.ShaderNodeGroup:
     node = tree.nodes.new("ShaderNodeGroup")
     node[MADE] = True
     node.location = (socket.node.location.x - 180.0, socket.node.location.y - 40.0)
@@ -399,7 +342,7 @@ def polynomial(by_nanometre) -> tuple[float, float, float]:
     )
 
 
-def _take_out(tree: bpy.types.NodeTree, node: bpy.types.Node) -> None:
+def take_out(tree: bpy.types.NodeTree, node: bpy.types.Node) -> None:
     source = node.inputs.get(BEFORE) or node.inputs["Color"]
     if source.is_linked:
         for link in list(node.outputs[0].links):

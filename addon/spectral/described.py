@@ -8,6 +8,7 @@ from __future__ import annotations
 import hashlib
 import json
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..core.faults import ForeseenError
@@ -36,10 +37,14 @@ class Described:
     values: tuple[float, ...] = ()
 
     @classmethod
-    def named(cls, name: str) -> Described:
-        """A key of the library, or a light by its name. Raises SpectrumError."""
+    def named(cls, name: str, kind: str = "") -> Described:
+        """A key of the library, a light by its name, or a file, `paints.csv#red` where it has several; kind:
+        what its values are where it does not say. Raises SpectrumError."""
         import nacre
 
+        file, _, column = name.partition("#")
+        if Path(file).suffix.lower() in FILES:
+            return cls._one_of(read(file, kind), file, column)
         try:
             if "/" in name:
                 return cls.of_spectrum(nacre.library.spectrum(name))
@@ -47,6 +52,15 @@ class Described:
         except nacre.NacreError as error:
             raise SpectrumError(str(error)) from error
         return cls(EMISSION, name, light=name)
+
+    @classmethod
+    def _one_of(cls, spectra: list[nacre.library.Spectrum], file: str, column: str) -> Described:
+        names = [spectrum.name for spectrum in spectra]
+        if column in names:
+            return cls.of_spectrum(spectra[names.index(column)])
+        if column or len(spectra) > 1:
+            raise SpectrumError(f"{file}: has {', '.join(names)}: say {file}#NAME")
+        return cls.of_spectrum(spectra[0])
 
     @classmethod
     def of_spectrum(cls, spectrum: nacre.library.Spectrum) -> Described:
@@ -99,6 +113,23 @@ class Described:
         return nacre.library.Spectrum(
             "", self.name, self.kind, "", "", "", self.wavelength_nm, self.values
         )
+
+
+FILES = (".csv", ".spd", ".spdx", ".cgats", ".ti3", ".sp", ".txt")
+"""Endings of files of spectra."""
+
+
+def read(file: str, kind: str = "") -> list[nacre.library.Spectrum]:
+    """At least one. Raises SpectrumError that names the file and what is wrong in it."""
+    import nacre
+
+    try:
+        spectra = nacre.library.read(file, kind=kind)
+    except (nacre.NacreError, OSError) as error:
+        raise SpectrumError(str(error)) from error
+    if not spectra:
+        raise SpectrumError(f"{file}: has no spectrum")
+    return spectra
 
 
 def _plain(value: Any) -> Any:

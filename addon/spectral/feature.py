@@ -10,7 +10,7 @@ from ..blender.parts import Forgotten, Joined
 from ..core.computation import library_problem
 from ..materials import material as made
 from ..materials import menu
-from . import marks, operators, panel, render_operator
+from . import choices, marks, operators, panel, render_operator
 
 
 def _follow(material: bpy.types.Material) -> None:
@@ -22,9 +22,18 @@ def _follow(material: bpy.types.Material) -> None:
     convert.follow(material)
 
 
-CLASSES = (*operators.CLASSES, *render_operator.CLASSES, *panel.CLASSES)
+CLASSES = (*operators.CLASSES, *choices.CLASSES, *render_operator.CLASSES, *panel.CLASSES)
 PARTS = (
     Joined(made.WHEN_MADE, _follow),
     Forgotten(operators.forget),
-    menu.entries(45, "make_spectral", "give_light", "render_spectral", "make_rgb"),
+    Forgotten(choices.forget),
+    menu.entries(
+        45,
+        "make_spectral",
+        "give_light",
+        "give_reflectance",
+        "read_spectra",
+        "render_spectral",
+        "make_rgb",
+    ),
 )

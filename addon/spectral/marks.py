@@ -4,6 +4,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import json
 from collections.abc import Iterator
 
 import bpy
@@ -59,6 +61,13 @@ def has_own_colour(light: bpy.types.Light) -> bool:
     return MADE in light and OWN_COLOUR in light[MADE]
 
 
+def name_of(group: bpy.types.NodeTree) -> str:
+    """Of a group of one spectrum: what the spectrum is called."""
+    with contextlib.suppress(ValueError, KeyError, TypeError):
+        return str(json.loads(group[SPECTRUM])["name"])
+    return group.name
+
+
 def lit_by(tree: bpy.types.NodeTree | None) -> str:
     """What a lamp's or a world's light is, or nothing where it has no spectrum of a name."""
     for node in tree.nodes if tree is not None else ():
@@ -67,5 +76,5 @@ def lit_by(tree: bpy.types.NodeTree | None) -> str:
                 source = link.from_node
                 group = source.node_tree if source.type == "GROUP" else None
                 if group is not None and SPECTRUM in group:
-                    return group.name.removeprefix("Spectrum: ")
+                    return name_of(group)
     return ""

@@ -7,10 +7,11 @@ from __future__ import annotations
 import bpy
 
 from ..blender import wrapped
+from ..core.computation import library_problem
 from ..materials.documented import Documented
 from . import marks, operators
 
-_MOST_LAMPS, _MOST_REMARKS = 12, 8
+_MOST_LAMPS, _MOST_COLOURS, _MOST_REMARKS = 12, 8, 8
 
 
 class _Spectral(Documented):
@@ -24,6 +25,7 @@ class _Spectral(Documented):
             layout.operator("nacre.make_spectral", text="Make Spectral", icon="COLORSET_13_VEC")
             return
         _draw_lamps(layout, context.scene)
+        _draw_surfaces(layout, context.object)
         _draw_remarks(layout)
         row = layout.row()
         row.operator_context = "INVOKE_DEFAULT"
@@ -42,11 +44,37 @@ def _draw_lamps(layout, scene) -> None:
     for name, tree in lamps[:_MOST_LAMPS]:
         split = column.split(factor=0.45)
         split.label(text=name, icon="WORLD" if name == marks.WORLD else "LIGHT")
-        row = split.row()
+        row = split.row(align=True)
         row.operator_context = "INVOKE_DEFAULT"
         row.operator("nacre.give_light", text=marks.lit_by(tree) or "Its Colour").lamp = name
+        row.operator("nacre.read_spectra", text="", icon="FILE_FOLDER").lamp = name
     if len(lamps) > _MOST_LAMPS:
         column.label(text=f"… and {len(lamps) - _MOST_LAMPS} more")
+
+
+def _draw_surfaces(layout, item) -> None:
+    """Of the active object's material."""
+    if library_problem():
+        return
+    from . import give
+
+    material = item.active_material if item is not None else None
+    colours = give.colours_of(material) if material is not None else []
+    if not colours:
+        return
+    column = layout.column(align=True)
+    for colour in colours[:_MOST_COLOURS]:
+        split = column.split(factor=0.45)
+        split.label(text=colour.label, icon="MATERIAL")
+        row = split.row(align=True)
+        row.enabled = material.is_editable
+        row.operator_context = "INVOKE_DEFAULT"
+        for name, text, icon in (
+            ("nacre.give_reflectance", colour.spectrum or "Its Colour", "NONE"),
+            ("nacre.read_spectra", "", "FILE_FOLDER"),
+        ):
+            button = row.operator(name, text=text, icon=icon)
+            button.material, button.colour = material.name, colour.label
 
 
 def _draw_remarks(layout) -> None:

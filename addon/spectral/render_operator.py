@@ -1,14 +1,13 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""*Render Spectral*: pass after pass as render jobs, then one spectral picture."""
+"""*Render Spectral*: pass after pass as render jobs, then one spectral picture, or one for each frame."""
 
 from __future__ import annotations
 
-from contextlib import ExitStack
 from pathlib import Path
 
 import bpy
-from bpy.props import IntProperty, StringProperty
+from bpy.props import BoolProperty, IntProperty, StringProperty
 
 from ..blender import denoise, output
 from ..core.computation import library_problem
@@ -16,8 +15,6 @@ from ..materials.guard import reports_errors
 from . import marks
 
 _POLL = 0.05  # seconds
-RESULT = "Nacre Spectral"
-"""Name of the picture that shows the last result."""
 
 
 class NACRE_OT_render_spectral(bpy.types.Operator):
@@ -44,8 +41,17 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         step=3,
     )
 
+    animation: BoolProperty(
+        name="Animation",
+        description="All frames of the scene, each a file: #### in the name is the frame. Those that are there "
+        "are left out where Overwrite is off in the output properties",
+        default=False,
+    )
+
+    _jobs = None
     _job = None
     _timer = None
+    _written = ()
 
     @classmethod
     def poll(cls, context):
@@ -62,70 +68,97 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         context.window_manager.fileselect_add(self)
         return {"RUNNING_MODAL"}
 
-    @reports_errors
     def execute(self, context):
-        from . import engines, needs, rendering
+        result = self._begin(context)
+        if result != {"RUNNING_MODAL"}:
+            self._end(context)
+        return result
+
+    @reports_errors
+    def _begin(self, context):
+        from . import needs, render_job
 
         path = Path(bpy.path.abspath(self.filepath)).absolute().with_suffix(".exr")
         output.check([path])
         scene = context.scene
-        made = needs.plan_for(scene, -(-self.bands // 3) or None)
-        engine = engines.engine_of(scene)
-        samples, smooth = engine.samples, engine.denoises
-        passes = rendering.beside(path, scene, made, samples, denoise=smooth)
-        passes.begin(resume=True)
-        job = _Job(scene, passes, samples, path, smooth)
+        plan = needs.plan_for(scene, -(-self.bands // 3) or None)
+        steps = range(scene.frame_start, scene.frame_end + 1, scene.frame_step)
+        self._jobs = render_job.pictures(scene, path, plan, steps if self.animation else None)
+        self._written = []
         if bpy.app.background:
-            with job:
-                while job.begin_next():
-                    bpy.ops.render.render(scene=scene.name)
-                    job.keep()
-            return self._written(job)
-        self._job = job
-        job.__enter__()
+            for job in self._jobs:
+                with job:
+                    while job.begin_next():
+                        bpy.ops.render.render(scene=scene.name)
+                        job.keep()
+                self._write(job)
+            return self._finish(context)
         window_manager = context.window_manager
         self._timer = window_manager.event_timer_add(_POLL, window=context.window)
         window_manager.modal_handler_add(self)
-        self._start(context)
-        return {"RUNNING_MODAL"}
+        return self._next_picture(context)
 
-    def _start(self, context) -> None:
+    def _next_picture(self, context):
+        for job in self._jobs:
+            self._job = job
+            job.__enter__()
+            if self._start(context):
+                return {"RUNNING_MODAL"}
+            self._close_job()
+            self._write(job)
+        return self._finish(context)
+
+    def _start(self, context) -> bool:
+        """The next pass of a picture; False where all are there."""
         job = self._job
-        if job.begin_next():
-            context.workspace.status_text_set(
-                f"Render Spectral: pass {job.number + 1} of {job.passes.plan.passes}; Esc stops"
-            )
-            bpy.ops.render.render("INVOKE_DEFAULT", scene=job.scene.name)
+        if not job.begin_next():
+            return False
+        context.workspace.status_text_set(
+            f"Render Spectral: {job.path.name}, pass {job.number + 1} of {job.plan.passes}; Esc stops"
+        )
+        bpy.ops.render.render("INVOKE_DEFAULT", scene=job.scene.name)
+        return True
 
     def modal(self, context, event):
         if event.type != "TIMER" or bpy.app.is_job_running("RENDER"):
             return {"PASS_THROUGH"}
-        return self._go_on(context)
+        result = self._go_on(context)
+        if result != {"RUNNING_MODAL"}:
+            self._end(context)
+        return result
 
     @reports_errors
     def _go_on(self, context):
         job = self._job
-        try:
-            if job.outcome == "cancel":
-                self._end(context)
-                self.report({"WARNING"}, "Stopped; the next Render Spectral goes on from here")
-                return {"CANCELLED"}
-            if job.outcome == "complete":
-                job.keep()
-                self._start(context)
-            if job.number is not None:
-                return {"RUNNING_MODAL"}
-        except Exception:
-            self._end(context)
-            raise
-        self._end(context)
-        return self._written(job)
+        if job.outcome == "cancel":
+            how = ", where Overwrite is off in the output properties" if self.animation else ""
+            self.report({"WARNING"}, f"Stopped; the next Render Spectral goes on from here{how}")
+            return {"CANCELLED"}
+        if job.outcome != "complete":
+            return {"RUNNING_MODAL"}
+        job.keep()
+        if self._start(context):
+            return {"RUNNING_MODAL"}
+        self._close_job()
+        self._write(job)
+        return self._next_picture(context)
 
-    def _written(self, job: _Job):
+    def _write(self, job) -> None:
         job.write()
-        plan = job.passes.plan
-        said = f"{job.path} written: {len(plan.bands)} bands in {plan.passes} passes"
-        if job.scene.render.engine == "CYCLES" and job.scene.cycles.use_denoising:
+        self._written.append(job)
+
+    def _finish(self, context):
+        if not self._written:
+            self.report({"ERROR"}, "All frames are there already, and Overwrite is off")
+            return {"CANCELLED"}
+        job, render = self._written[-1], context.scene.render
+        what = (
+            job.path if len(self._written) == 1 else f"{len(self._written)} frames up to {job.path}"
+        )
+        said = f"{what} written: {len(job.plan.bands)} bands in {job.plan.passes} passes"
+        if job.plan.choice is not None:
+            said += f", within ΔE00 {job.plan.choice.error.mean:.2f} of all wavelengths"
+        if render.engine == "CYCLES" and context.scene.cycles.use_denoising:
             said += "" if denoise.is_possible() else f"; {denoise.NOT_POSSIBLE}"
         self.report({"INFO"}, said)
         return {"FINISHED"}
@@ -133,67 +166,21 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
     def cancel(self, context):
         self._end(context)
 
+    def _close_job(self) -> None:
+        job, self._job = self._job, None
+        if job is not None:
+            job.__exit__(None, None, None)
+
     def _end(self, context) -> None:
+        """Nothing is left of what was begun."""
+        self._close_job()
         if self._timer is not None:
             context.window_manager.event_timer_remove(self._timer)
             context.workspace.status_text_set(None)
             self._timer = None
-            self._job.__exit__(None, None, None)
-
-
-class _Job:
-    """The passes of one picture, of which one is being rendered; the scene is as it was at the end."""
-
-    def __init__(
-        self, scene: bpy.types.Scene, passes, samples: int, path: Path, denoise: bool
-    ) -> None:
-        self.scene, self.passes, self.path, self._denoise = scene, passes, path, denoise
-        self.number: int | None = None
-        self.outcome = ""  # of a render job: complete or cancel
-        self._samples = samples
-        self._missing = iter(passes.missing())
-        self._stack = ExitStack()
-
-    def __enter__(self) -> _Job:
-        from . import rendering
-
-        self._begin = self._stack.enter_context(
-            rendering.prepared(self.scene, self.passes.plan, self._samples, denoise=self._denoise)
-        )
-        for name, handler in (("render_complete", self._complete), ("render_cancel", self._cancel)):
-            handlers = getattr(bpy.app.handlers, name)
-            handlers.append(handler)
-            self._stack.callback(handlers.remove, handler)
-        return self
-
-    def __exit__(self, *_error: object) -> None:
-        self._stack.close()
-
-    def begin_next(self) -> bool:
-        """Tells the scene which pass is next; False where all are there."""
-        self.outcome = ""
-        self.number = next(self._missing, None)
-        if self.number is not None:
-            self._begin(self.number)
-        return self.number is not None
-
-    def keep(self) -> None:
-        self.passes.save(self.scene, self.number)
-
-    def write(self) -> None:
-        from . import rendering
-
-        found = rendering.rendered(self.passes)
-        rgb = rendering.colour_of(found, self.scene, self._samples)
-        rendering.write(found, rgb, self.scene, self.path)
-        rendering.as_image(rgb, found.alpha, RESULT)
-        self.passes.end()
-
-    def _complete(self, *_arguments: object) -> None:
-        self.outcome = "complete"
-
-    def _cancel(self, *_arguments: object) -> None:
-        self.outcome = "cancel"
+        if self._jobs is not None:
+            self._jobs.close()
+            self._jobs = None
 
 
 CLASSES = (NACRE_OT_render_spectral,)

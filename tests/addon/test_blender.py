@@ -114,6 +114,10 @@ def test_lamps_of_a_spectral_file(blender, tmp_path):
     blender.script("spectral/lamps", tmp_path)
 
 
+def test_surfaces_of_a_spectral_file(blender, tmp_path):
+    blender.script("spectral/surfaces", tmp_path)
+
+
 def test_films_and_keyframes_in_a_spectral_file(blender, tmp_path):
     blender = blender.with_materials("oil_on_water", "tempered_steel")
     blender.script("spectral/films", tmp_path)

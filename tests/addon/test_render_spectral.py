@@ -86,6 +86,44 @@ def test_a_lamp_can_be_any_light(blender45, tmp_path):
     assert sodium[2] < 0.0
 
 
+def test_a_surface_has_the_reflectance_that_it_is_given(blender45, tmp_path):
+    """In every band, whatever its colour in RGB was; from the library, and from a file."""
+    nm = np.arange(360, 831, 10)
+    rising = (nm - 300) / 1000
+    (tmp_path / "paints.csv").write_text(
+        "wavelength_nm,rising,white\n"
+        + "".join(f"{at},{value},1\n" for at, value in zip(nm, rising, strict=True))
+    )
+    scene = tmp_path / "wall.blend"
+    blender45.call("pictures.wall", file=str(scene))
+    found = []
+    for surface in (f"{tmp_path}/paints.csv#white", f"{tmp_path}/paints.csv#rising"):
+        path = tmp_path / "wall.exr"
+        done = blender45.render(
+            "--blend", scene, "--size", "8x8", "--samples", "8", "--spectral", "--bands", "24",
+            "--surface", f"Wall={surface}", "-o", path,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        channels = channels_of(path)
+        bands = {name: values[4, 4] for name, values in channels.items() if name.startswith("S0.")}
+        found.append(np.array(list(bands.values())))
+    at = [float(name[3:-2].replace(",", ".")) for name in bands]
+    np.testing.assert_allclose(found[1] / found[0], np.interp(at, nm, rising), rtol=2e-3)
+    for wrong, words in (
+        (
+            "Wall/Coat=colorchecker/red",
+            "say which colour of Wall, Wall/COLOUR=…; there are: Diffuse",
+        ),
+        ("Wall=F11", "is a light, not a reflectance"),
+        ("Wall=none.csv", "none.csv"),
+    ):
+        done = blender45.render(
+            "--blend", scene, "--spectral", "--surface", wrong, "-o", tmp_path / "x.exr"
+        )
+        assert done.returncode == 1
+        assert words in done.stderr
+
+
 def test_a_render_that_was_killed_goes_on(blender45, tmp_path):
     """Only the passes that are not there yet are rendered; the picture is that of one go."""
     whole, path = tmp_path / "whole.exr", tmp_path / "a.exr"
@@ -130,6 +168,8 @@ def test_passes_of_another_picture_are_not_taken_for_it(blender45, tmp_path):
         (("--spectral", "--bands", "25"), "must be auto or a multiple of 3 in 3 … 300 (got '25')"),
         (("--bands", "24"), "--bands needs --spectral"),
         (("--light", "World=A"), "--light needs --spectral"),
+        (("--surface", "Wall=colorchecker/red"), "--surface needs --spectral"),
+        (("--spectral", "--surface", "Wall=a.csv"), "--surface: no material 'Wall'; there are: "),
         (("--spectral", "--light", "Key=A"), "--light: no lamp 'Key' in the scene"),
         (("--spectral", "--light", "World=candle"), "--light: illuminant: must be one of E, A"),
         (("--spectral", "--light", "World=colorchecker/red"), "is a reflectance, not a light"),

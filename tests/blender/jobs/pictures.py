@@ -29,3 +29,28 @@ def render_picture(
     scene.cycles.use_denoising = scene.cycles.use_adaptive_sampling = False
     bpy.ops.render.render()
     extension.module("blender.output").Writer(scene).save(Path(file))
+
+
+def wall(*, file: str) -> None:
+    """A file with a matt green wall that fills the picture, under an even sky."""
+    scene = empty_scene()
+    mesh = bpy.data.meshes.new("wall")
+    mesh.from_pydata([(-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0)], [], [(0, 1, 2, 3)])
+    material = bpy.data.materials.new("Wall")
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
+    diffuse.inputs["Color"].default_value = (0.2, 0.6, 0.2, 1.0)
+    out = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(diffuse.outputs[0], out.inputs["Surface"])
+    mesh.materials.append(material)
+    scene.collection.objects.link(bpy.data.objects.new("wall", mesh))
+    camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
+    camera.data.type, camera.location = "ORTHO", (0.0, 0.0, 3.0)
+    camera.data.ortho_scale = 1.0
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.world = bpy.data.worlds.new("world")
+    scene.world.use_nodes = True
+    bpy.ops.wm.save_as_mainfile(filepath=file)

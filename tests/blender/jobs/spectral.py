@@ -77,7 +77,7 @@ def lit_chart(
     were (before.exr), in bands (bands.exr), and with everything undone (after.exr). The lamp's colour is dark,
     as Cycles leaves out lamps that were dark in the pass before; bright samples are clamped, of which there
     are none."""
-    convert = extension.module("spectral.convert")
+    convert, give = extension.module("spectral.convert"), extension.module("spectral.give")
     described = extension.module("spectral.described").Described
     scene = empty_scene()
     for column, reflectance in enumerate([*reflectances, ""]):
@@ -91,8 +91,8 @@ def lit_chart(
     width, height = scene.render.resolution_x, scene.render.resolution_y
     render_picture(scene, width, height, 1, places["before"])
     convert.make_spectral()
-    convert.give_lamp(lamp, described.named("A"))
-    convert.give_lamp(lamp, described.named(light))
+    give.to_lamp(lamp, described.named("A"))
+    give.to_lamp(lamp, described.named(light))
     said = rendered(scene, places["bands"], samples, passes)
     removed = convert.make_rgb()
     render_picture(scene, width, height, 1, places["after"])
@@ -104,7 +104,7 @@ def eevee(
 ) -> dict:
     """A row of matt patches in EEVEE, the last but one white, the last one a film that lies flat, each
     time under another lamp that is as white as the sky (LIGHT.exr)."""
-    convert = extension.module("spectral.convert")
+    convert, give = extension.module("spectral.convert"), extension.module("spectral.give")
     described = extension.module("spectral.described").Described
     scene = empty_scene()
     for column, reflectance in enumerate([*reflectances, ""]):
@@ -122,8 +122,8 @@ def eevee(
     convert.make_spectral()
     for light in lights:
         spectrum = described.named(light)
-        convert.give_lamp(lamp, spectrum)
-        convert.give_world(scene.world, spectrum)
+        give.to_lamp(lamp, spectrum)
+        give.to_world(scene.world, spectrum)
         said = rendered(scene, str(Path(folder) / f"{light.replace('/', '_')}.exr"), samples, 0)
     return said
 
@@ -261,6 +261,7 @@ def films(
 ) -> dict:  # fmt: skip
     """Spheres of films under white, as an atlas of the furnace: in RGB (before.exr), in bands under white
     or a light (bands.exr), and with everything undone (after.exr). `lit`: as of the furnace."""
+    give = extension.module("spectral.give")
     convert, described = (
         extension.module("spectral.convert"),
         extension.module("spectral.described"),
@@ -280,7 +281,7 @@ def films(
     blocks_before = blocks()
     report = convert.make_spectral()
     if light:
-        convert.give_world(scene.world, described.Described.named(light))
+        give.to_world(scene.world, described.Described.named(light))
     said = rendered(scene, places["bands"], samples, passes)
     removed = convert.make_rgb()
     render_picture(scene, width, height, samples, places["after"])

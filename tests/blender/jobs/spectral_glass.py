@@ -28,11 +28,11 @@ def wedge(
     add_camera(scene)
     scene.render.resolution_x = scene.render.resolution_y = 4
     scene.cycles.sample_clamp_direct = scene.cycles.sample_clamp_indirect = 0.0
-    convert = extension.module("spectral.convert")
+    convert, give = extension.module("spectral.convert"), extension.module("spectral.give")
     described = extension.module("spectral.described").Described
     lamp = bpy.data.lights.new("lines", "POINT")  # in no scene: it asks for bands
     convert.make_spectral()
-    convert.give_lamp(lamp, described.named(lines))
+    give.to_lamp(lamp, described.named(lines))
     strength = _straight_light(scene)
     rendered(scene, str(Path(folder) / "passed.exr"), samples, 4)
     strength()

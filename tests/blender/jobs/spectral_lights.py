@@ -16,7 +16,7 @@ from .spectral import matt, patch, rendered, seen_from_above
 def groups(*, reflectances: list[str], light: str, other: str, folder: str, samples: int) -> dict:
     """A row of matt patches, the last one white, under a lamp of the group Key and a sky of the group Fill
     (before.exr), and under another lamp (after.exr); bands are those of both."""
-    convert = extension.module("spectral.convert")
+    convert, give = extension.module("spectral.convert"), extension.module("spectral.give")
     named = extension.module("spectral.described").Described.named
     scene = empty_scene()
     for column, reflectance in enumerate([*reflectances, ""]):
@@ -34,9 +34,9 @@ def groups(*, reflectances: list[str], light: str, other: str, folder: str, samp
     key.lightgroup, scene.world.lightgroup = "Key", "Fill"
     seen_from_above(scene, len(reflectances) + 1, 1, 4)
     convert.make_spectral()
-    convert.give_lamp(lamp, named(light))
-    convert.give_lamp(waiting, named(other))
+    give.to_lamp(lamp, named(light))
+    give.to_lamp(waiting, named(other))
     rendered(scene, str(Path(folder) / "before.exr"), samples, 16)
-    convert.give_lamp(lamp, named(other))
-    convert.give_lamp(waiting, named(light))
+    give.to_lamp(lamp, named(other))
+    give.to_lamp(waiting, named(light))
     return rendered(scene, str(Path(folder) / "after.exr"), samples, 16)

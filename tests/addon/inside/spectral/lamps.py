@@ -21,6 +21,7 @@ convert, described = module("spectral.convert"), module("spectral.described")
 groups, needs = module("spectral.groups"), module("spectral.needs")
 rendering, lamps = module("spectral.rendering"), module("spectral.lamps")
 operators, marks = module("spectral.operators"), module("spectral.marks")
+give = module("spectral.give")
 folder = Path(sys.argv[1])
 
 
@@ -38,11 +39,11 @@ lamp.color, lamp.angle = OWN, 0.0
 scene.collection.objects.link(bpy.data.objects.new("Own", lamp))
 assert bpy.ops.nacre.make_spectral() == {"FINISHED"}
 assert tuple(lamp.color) == OWN
-convert.give_lamp(lamp, described.Described.named("A"))
+give.to_lamp(lamp, described.Described.named("A"))
 luminance = float(np.dot((0.2126390059, 0.7151686788, 0.0721923154), OWN))
 warm = groups.rgb_of(described.Described.named("A"))
 np.testing.assert_allclose(lamp.color, luminance * np.array(warm), rtol=1e-5)
-convert.give_lamp(lamp, described.Described.named("D65"))
+give.to_lamp(lamp, described.Described.named("D65"))
 np.testing.assert_allclose(lamp.color, luminance, rtol=1e-3)
 given = tuple(lamp.color)
 plan = needs.plan_for(scene, 4)

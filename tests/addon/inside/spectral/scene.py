@@ -138,11 +138,34 @@ assert settings == [
 assert (saved_as.file_format, saved_as.color_mode) == ("JPEG", "BW")
 assert picture.read_bytes()[:4] == b"\x76\x2f\x31\x01"
 assert [path.name for path in folder.iterdir() if "passes" in path.name] == []
-shown = bpy.data.images[module("spectral.render_operator").RESULT]
+shown = bpy.data.images[module("spectral.render_job").RESULT]
 assert tuple(shown.size) == (16, 16)
 assert max(shown.pixels) > 0.0
-bpy.data.images.remove(shown)
 assert [key for key in scene.keys() if key.startswith("nacre_")] == []  # noqa: SIM118 of an ID
+
+# An animation has a file for each frame; those that are there are left out where the scene says so.
+cube = scene.objects["Cube"]
+for frame, x in ((1, 0.0), (5, 1.0)):
+    cube.location.x = x
+    cube.keyframe_insert("location", frame=frame)
+scene.frame_start, scene.frame_end, scene.frame_step = 1, 5, 2
+scene.frame_set(4)
+moving = {"filepath": str(folder / "moving_##.exr"), "bands": 7, "animation": True}
+assert bpy.ops.nacre.render_spectral(**moving) == {"FINISHED"}
+frames = [folder / f"moving_{frame:02d}.exr" for frame in (1, 3, 5)]
+assert sorted(folder.glob("moving*")) == frames
+assert scene.frame_current == 4
+first, second, third = (frame.read_bytes() for frame in frames)
+assert first != second != third
+frames[1].unlink()
+frames[2].write_bytes(b"kept")
+scene.render.use_overwrite = False
+assert bpy.ops.nacre.render_spectral(**moving) == {"FINISHED"}
+assert [frame.read_bytes() for frame in frames] == [first, second, b"kept"]
+refused(lambda: bpy.ops.nacre.render_spectral(**moving), "All frames are there already")
+cube.animation_data_clear()
+cube.location.x = 0.0
+bpy.data.images.remove(shown)
 
 assert bpy.ops.nacre.make_rgb() == {"FINISHED"}
 assert not marks.is_spectral()

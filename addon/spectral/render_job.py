@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures in bands as render jobs of Blender: their passes one after another, which can be stopped and gone
+on with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import bpy
+
+from ..blender import output
+from . import rendering
+from .engines import engine_of
+from .plan import Plan
+
+RESULT = "Nacre Spectral"
+"""Name of the picture that shows the last result."""
+
+
+class Job:
+    """The passes of one picture, of which one is being rendered; the scene is as it was at the end."""
+
+    def __init__(self, scene: bpy.types.Scene, path: Path, plan: Plan) -> None:
+        engine = engine_of(scene)
+        self.scene, self.path, self.plan = scene, path, plan
+        self.number: int | None = None
+        self.outcome = ""  # of a render job: complete or cancel
+        self._samples, self._denoise = engine.samples, engine.denoises
+        self._passes = rendering.beside(path, scene, plan, self._samples, denoise=self._denoise)
+        self._stack = ExitStack()
+
+    def __enter__(self) -> Job:
+        self._passes.begin(resume=True)
+        self._missing = iter(self._passes.missing())
+        self._begin = self._stack.enter_context(
+            rendering.prepared(self.scene, self.plan, self._samples, denoise=self._denoise)
+        )
+        for name, handler in (("render_complete", self._complete), ("render_cancel", self._cancel)):
+            handlers = getattr(bpy.app.handlers, name)
+            handlers.append(handler)
+            self._stack.callback(handlers.remove, handler)
+        return self
+
+    def __exit__(self, *_error: object) -> None:
+        self._stack.close()
+
+    def begin_next(self) -> bool:
+        """Tells the scene which pass is next; False where all are there."""
+        self.outcome = ""
+        self.number = next(self._missing, None)
+        if self.number is not None:
+            self._begin(self.number)
+        return self.number is not None
+
+    def keep(self) -> None:
+        """The pass that was rendered."""
+        self._passes.save(self.scene, self.number)
+
+    def write(self) -> None:
+        """The picture, of all passes."""
+        found = rendering.rendered(self._passes)
+        rgb = rendering.colour_of(found, self.scene, self._samples)
+        rendering.write(found, rgb, self.scene, self.path)
+        rendering.as_image(rgb, found.alpha, RESULT)
+        self._passes.end()
+
+    def _complete(self, *_arguments: object) -> None:
+        self.outcome = "complete"
+
+    def _cancel(self, *_arguments: object) -> None:
+        self.outcome = "cancel"
+
+
+def pictures(
+    scene: bpy.types.Scene, path: Path, plan: Plan, frames: Iterable[int] | None
+) -> Iterator[Job]:
+    """One of the scene as it is, or one for each frame, where what is there already is left out if the scene
+    does not overwrite; then the scene is at its own frame again at the end."""
+    if frames is None:
+        yield Job(scene, path, plan)
+        return
+    current = scene.frame_current
+    try:
+        for frame in frames:
+            file = output.frame_path(path, frame)
+            if scene.render.use_overwrite or not file.is_file():
+                scene.frame_set(frame)
+                yield Job(scene, file, plan)
+    finally:
+        scene.frame_set(current)
