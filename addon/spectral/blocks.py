@@ -13,17 +13,16 @@ import bpy
 
 from ..blender.formula import Formula
 from . import attributes
-from .marks import BLOCK
+from .marks import BLOCK, made_group
 
 _LINE_D_NM = 587.5618
 
 
 def wavelength() -> bpy.types.ShaderNodeTree:
     """*Wavelength* of the live band; that of the d line where no bands are rendered."""
-    group = _known("wavelength")
-    if group is not None:
+    group, is_new = made_group("Live Wavelength", **{BLOCK: "wavelength"})
+    if not is_new:
         return group
-    group = _new("wavelength", "Live Wavelength")
     group.interface.new_socket("Wavelength", in_out="OUTPUT", socket_type="NodeSocketFloat")
     formula = Formula(group)
     is_spectral = attributes.number(formula, attributes.IS_SPECTRAL)
@@ -36,10 +35,9 @@ def wavelength() -> bpy.types.ShaderNodeTree:
 def dispersive_glass() -> bpy.types.ShaderNodeTree:
     """Of *Index* at the d line and *Live Index* at `wavelength`: *IOR*, the index where a path has been
     refracted already, and everywhere without bands; *BSDF* at its first refraction, where *Factor* is 1."""
-    group = _known("dispersive_glass")
-    if group is not None:
+    group, is_new = made_group("Dispersive Glass in Bands", **{BLOCK: "dispersive_glass"})
+    if not is_new:
         return group
-    group = _new("dispersive_glass", "Dispersive Glass in Bands")
     sockets = group.interface
     for name, default in (("Index", 1.5), ("Live Index", 1.5), ("Dispersion", 1.0)):
         socket = sockets.new_socket(name, in_out="INPUT", socket_type="NodeSocketFloat")
@@ -111,23 +109,6 @@ def _polynomial(
     for coefficient in reversed(coefficients[:-1]):
         total = formula.number("MULTIPLY_ADD", total, x, coefficient)
     return total
-
-
-def _known(name: str) -> bpy.types.ShaderNodeTree | None:
-    return next(
-        (
-            group
-            for group in bpy.data.node_groups
-            if group.get(BLOCK) == name and group.library is None
-        ),
-        None,
-    )
-
-
-def _new(name: str, label: str) -> bpy.types.ShaderNodeTree:
-    group = bpy.data.node_groups.new(label, "ShaderNodeTree")
-    group[BLOCK] = name
-    return group
 
 
 OF_TYPE = {"nacre.wavelength": wavelength, "nacre.dispersive_glass": dispersive_glass}

@@ -14,6 +14,7 @@ from bpy.props import EnumProperty, StringProperty
 
 from ..blender.space import of_file
 from ..materials.guard import must_be_local, reports_errors
+from . import outlook
 from .described import EMISSION, FILES, REFLECTANCE, Described, SpectrumError, read
 from .marks import WORLD
 from .operators import NeedsLibrary
@@ -160,6 +161,7 @@ def _give_light(operator, context, light: str | None) -> set[str]:
     else:
         operator.report({"ERROR"}, f"{name} is no lamp of the scene")
         return {"CANCELLED"}
+    outlook.look(context.scene)
     _say(operator, name, spectrum)
     return {"FINISHED"}
 
@@ -222,6 +224,7 @@ def _give_reflectance(operator, context, reflectance: str | None) -> set[str]:
         return {"CANCELLED"}
     spectrum = None if reflectance is None else Described.named(reflectance, REFLECTANCE)
     colour.give(spectrum)
+    outlook.look(context.scene)
     _say(operator, f"{material.name}, {colour.label},", spectrum)
     return {"FINISHED"}
 

@@ -10,7 +10,7 @@ from ..blender.parts import Forgotten, Joined
 from ..core.computation import library_problem
 from ..materials import material as made
 from ..materials import menu
-from . import choices, marks, operators, panel, render_operator
+from . import choices, marks, operators, outlook, panel, render_operator
 
 
 def _follow(material: bpy.types.Material) -> None:
@@ -27,6 +27,7 @@ PARTS = (
     Joined(made.WHEN_MADE, _follow),
     Forgotten(operators.forget),
     Forgotten(choices.forget),
+    Forgotten(outlook.forget),
     menu.entries(
         45,
         "make_spectral",

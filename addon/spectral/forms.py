@@ -9,7 +9,7 @@ import contextlib
 
 import bpy
 
-from ..core.form import NODES, OSL
+from ..core.form import NODES
 from ..core.library import Library
 from ..core.manifest import BANDS, CompiledMaterial, ManifestError
 from ..materials import group as groups
@@ -27,11 +27,11 @@ def use_bands(tree: bpy.types.NodeTree, report: Report) -> None:
         group = node.node_tree if node.type == "GROUP" else None
         if group is None or groups.MATERIAL not in group or group.library is not None:
             continue  # make_spectral() says what stays
-        if group.get(groups.FORM) == BANDS or (reads_tables(group) and _is_nodes(group)):
+        form = NODES if reads_tables(group) else BANDS
+        if group.get(groups.FORM, NODES) == form:
             continue
         try:
             compiled = _compiled(group)
-            form = NODES if reads_tables(group) else BANDS
             if compiled.graphs.get(form) is None:
                 continue
             in_bands = groups.material_group(compiled, form, blocks.OF_TYPE)
@@ -45,10 +45,6 @@ def use_bands(tree: bpy.types.NodeTree, report: Report) -> None:
         node[groups.FORMER] = group
         node.node_tree = in_bands
         report.spectra += form == BANDS
-
-
-def _is_nodes(group: bpy.types.NodeTree) -> bool:
-    return group.get(groups.FORM) != OSL
 
 
 def reads_tables(group: bpy.types.NodeTree) -> bool:

@@ -11,7 +11,7 @@ from ..blender.space import of_file, state
 from ..core.space import REC709, conversion, conversion_from_xyz, converted
 from . import attributes
 from .described import DAYLIGHT, EMISSION, Described, SpectrumError
-from .marks import BEFORE, KEEPS_RGB, LUMINANCE, SPECTRUM, UPSAMPLING
+from .marks import BEFORE, KEEPS_RGB, LUMINANCE, SPECTRUM, UPSAMPLING, made_group
 
 REFLECTANCE_OF_COLOUR = "Colour as Spectrum"
 REFLECTANCE_OF_MIXTURE = "Mixed Colour as Spectrum"
@@ -22,13 +22,10 @@ LIGHT_OF_MIXTURE = "Mixed Light"
 def spectrum_group(spectrum: Described, *, keeps_rgb: bool = False) -> bpy.types.NodeTree:
     """*Color*; of a light as bright as its *Luminance*. *Before* holds what was where the group is now; in
     RGB the colour is that of the spectrum, or as *Before* has it. The group that is there, or a new one."""
-    for group in bpy.data.node_groups:
-        if group.get(SPECTRUM) == spectrum.text and bool(group.get(KEEPS_RGB)) == keeps_rgb:
-            return group
-    group = bpy.data.node_groups.new(f"Spectrum: {spectrum.name}"[:63], "ShaderNodeTree")
-    group[SPECTRUM] = spectrum.text
-    if keeps_rgb:
-        group[KEEPS_RGB] = True
+    marks = {SPECTRUM: spectrum.text, KEEPS_RGB: keeps_rgb}
+    group, is_new = made_group(f"Spectrum: {spectrum.name}", **marks)
+    if not is_new:
+        return group
     state(group)
     sockets = group.interface
     if spectrum.kind == EMISSION:
@@ -53,11 +50,9 @@ def upsampling_group(name: str) -> bpy.types.NodeTree:
     """*Color* in RGB; a spectrum in bands. Of a colour that is known, by *Coefficients* that were
     computed for it; of one that nodes compute, by three spectra of which it is a mixture. A light is
     D65 through a filter, of a colour through one of the colour over *Scale*."""
-    for group in bpy.data.node_groups:
-        if group.get(UPSAMPLING) == name:
-            return group
-    group = bpy.data.node_groups.new(name, "ShaderNodeTree")
-    group[UPSAMPLING] = name
+    group, is_new = made_group(name, **{UPSAMPLING: name})
+    if not is_new:
+        return group
     state(group)
     group.interface.new_socket("Color", in_out="INPUT", socket_type="NodeSocketColor")
     if name in (REFLECTANCE_OF_COLOUR, LIGHT_OF_COLOUR):

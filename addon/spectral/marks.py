@@ -57,6 +57,20 @@ def is_drawing(item: bpy.types.Object) -> bool:
     return item.type in ("GREASEPENCIL", "GPENCIL")  # from Blender 4.3 on, before
 
 
+def made_group(name: str, **marks: str | bool) -> tuple[bpy.types.ShaderNodeTree, bool]:
+    """The file's own group that has these marks, and whether it is new, and empty then."""
+    for group in bpy.data.node_groups:
+        if group.library is None and all(
+            group.get(m, False) == value for m, value in marks.items()
+        ):
+            return group, False
+    group = bpy.data.node_groups.new(name[:63], "ShaderNodeTree")
+    for mark, value in marks.items():
+        if value:
+            group[mark] = value
+    return group, True
+
+
 def has_own_colour(light: bpy.types.Light) -> bool:
     return MADE in light and OWN_COLOUR in light[MADE]
 

@@ -9,7 +9,7 @@ from bpy.props import StringProperty
 
 from ..core.computation import library_problem
 from ..materials.guard import reports_errors
-from . import marks
+from . import marks, outlook
 
 _remarks: list = []
 """What the last *Make Spectral* left as RGB."""
@@ -43,11 +43,12 @@ class NACRE_OT_make_spectral(NeedsLibrary):
     )
 
     @reports_errors
-    def execute(self, _context):
+    def execute(self, context):
         from . import convert
 
         report = convert.make_spectral()
         _remarks[:] = report.remarks
+        outlook.look(context.scene)
         left = f"; {len(_remarks)} stay RGB, see the panel" if _remarks else ""
         self.report({"INFO"}, f"{report.spectra} colours got a spectrum{left}.")
         return {"FINISHED"}
@@ -75,7 +76,23 @@ class NACRE_OT_make_rgb(bpy.types.Operator):
 
         count = convert.make_rgb()
         forget()
+        outlook.forget()
         self.report({"INFO"}, f"{count} spectra were taken out.")
+        return {"FINISHED"}
+
+
+class NACRE_OT_look_at_bands(NeedsLibrary):
+    bl_idname = "nacre.look_at_bands"
+    bl_label = "Nacre: How Many Bands"
+    bl_description = (
+        "How many wavelengths this scene's lamps, films and glass need, and how near they come"
+    )
+    bl_options = {"REGISTER"}
+
+    @reports_errors
+    def execute(self, context):
+        outlook.look(context.scene)
+        self.report({"INFO"}, "; ".join(outlook.lines()))
         return {"FINISHED"}
 
 
@@ -122,5 +139,6 @@ def _has(item: bpy.types.Object, kind: str, name: str) -> bool:
 CLASSES = (
     NACRE_OT_make_spectral,
     NACRE_OT_make_rgb,
+    NACRE_OT_look_at_bands,
     NACRE_OT_show_rgb,
 )

@@ -9,7 +9,7 @@ import bpy
 from ..blender import wrapped
 from ..core.computation import library_problem
 from ..materials.documented import Documented
-from . import marks, operators
+from . import marks, operators, outlook
 
 _MOST_LAMPS, _MOST_COLOURS, _MOST_REMARKS = 12, 8, 8
 
@@ -27,6 +27,7 @@ class _Spectral(Documented):
         _draw_lamps(layout, context.scene)
         _draw_surfaces(layout, context.object)
         _draw_remarks(layout)
+        _draw_outlook(layout)
         row = layout.row()
         row.operator_context = "INVOKE_DEFAULT"
         row.scale_y = 1.3
@@ -75,6 +76,14 @@ def _draw_surfaces(layout, item) -> None:
         ):
             button = row.operator(name, text=text, icon=icon)
             button.material, button.colour = material.name, colour.label
+
+
+def _draw_outlook(layout) -> None:
+    row = layout.row()
+    column = row.column(align=True)
+    for line in outlook.lines() or ["How many bands has not been asked"]:
+        wrapped.label(column, line, "BLANK1")
+    row.operator("nacre.look_at_bands", text="", icon="FILE_REFRESH", emboss=False)
 
 
 def _draw_remarks(layout) -> None:

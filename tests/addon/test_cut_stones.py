@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-import os
 import shutil
 
 import numpy as np
@@ -20,10 +19,6 @@ COVERED = 0.9  # of a pixel: without the rim
 LIMIT = 12.0
 # Shaders are compiled in software, up to a minute each: one stone a version, and one version's ball.
 SEEN_IN = {"diamond": "4.5", "mystic_topaz": "5.2", "ball": "4.5"}
-
-
-def is_seen(what: str, version: str) -> bool:
-    return SEEN_IN[what] == version or bool(os.environ.get("NACRE_SOAK"))
 
 
 @pytest.fixture(scope="module")
@@ -47,8 +42,7 @@ def linear(picture: np.ndarray) -> np.ndarray:
 # Without the virtual facets the diamond is off by 13, the topaz by 22.
 @pytest.mark.parametrize("stone", ["diamond", "mystic_topaz"])
 def test_eevee_shows_a_cut_stone_as_it_is_pictured(shown, stone):
-    if not is_seen(stone, shown.version):
-        pytest.skip(f"seen in {SEEN_IN[stone]}; NACRE_SOAK=1 sees it in both")
+    shown.see_in(SEEN_IN[stone])
     file = shown.folder / f"{stone}.png"
     shown.call("eevee.portrait", material=stone, size=SIZE, samples=SAMPLES, file=str(file))
     pixels, _ = read_channels(file, "RGBA")
@@ -65,8 +59,7 @@ def test_eevee_shows_a_cut_stone_as_it_is_pictured(shown, stone):
 
 
 def test_what_is_round_has_no_facets(shown):
-    if not is_seen("ball", shown.version):
-        pytest.skip(f"seen in {SEEN_IN['ball']}; NACRE_SOAK=1 sees it in both")
+    shown.see_in(SEEN_IN["ball"])
     pictures = []
     for plain in (False, True):
         file = shown.folder / f"ball-{plain}.png"

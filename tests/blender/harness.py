@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import Self
 
 import numpy as np
+import pytest
 
 from support.images import read_image
 from support.paths import DRIVER, materials_folder
@@ -183,6 +184,11 @@ class Blender:
         }
         found = {**os.environ, **given, **self.environment}
         return {name: value for name, value in found.items() if value is not None}
+
+    def see_in(self, version: str) -> None:
+        """Skips a test that takes long and is alike in all versions, in all but this one."""
+        if self.version != version and not os.environ.get("NACRE_SOAK"):
+            pytest.skip(f"seen in {version}; NACRE_SOAK=1 sees it in both")
 
     def ask(self, call: str, *, fresh: bool = False, **arguments) -> tuple[object, str, str]:
         """Result of a function of jobs/, and what was printed meanwhile."""

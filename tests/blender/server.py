@@ -75,7 +75,7 @@ def surroundings(environment: dict[str, str], folder: str) -> Iterator[None]:
 
 
 def answer(request: dict) -> dict:
-    module, _, function = request["call"].partition(".")
+    module, _, function = request["call"].rpartition(".")
     with (
         surroundings(request["environment"], request["folder"]),
         printing_to(request["stdout"], request["stderr"]),

@@ -47,7 +47,7 @@ def chart(blender):
     """XYZ of the middle of each patch."""
     file = blender.folder / "chart.exr"
     said = blender.call(
-        "spectral.chart",
+        "spectral.scenes.chart",
         reflectances=CHART, lights=LIGHTS, file=str(file), size=SIZE, samples=8, passes=0,
     )  # fmt: skip
     assert not said["left"]
@@ -68,7 +68,7 @@ def test_chart_has_the_colours_that_it_should(chart, light):
 def test_matt_patches_under_a_lamp(blender, light):
     """The lamp is as bright as its colour was, and what it shines on has its colour under it."""
     blender.call(
-        "spectral.lit_chart",
+        "spectral.scenes.lit_chart",
         reflectances=CHART, light=light, folder=str(blender.folder), size=SIZE, samples=8, passes=0,
     )  # fmt: skip
     xyz, _ = read_spectral(blender.folder / "bands.exr")
@@ -91,11 +91,10 @@ FILM = ("anodised_titanium", 110.0)
 @pytest.fixture(scope="module")
 def chart_in_eevee(blender, request):
     """Shaders are compiled in software, half a minute for a chart: in one version."""
-    if blender.version != "4.5" and not os.environ.get("NACRE_SOAK"):
-        pytest.skip("seen in 4.5; NACRE_SOAK=1 sees it in both")
+    blender.see_in("4.5")
     displayed = request.getfixturevalue("displayed")
     displayed.call(
-        "spectral.eevee",
+        "spectral.scenes.eevee",
         reflectances=CHART, lights=SHOWN_BY_EEVEE, folder=str(displayed.folder), size=SIZE, samples=4,
         film={"material": FILM[0], "values": {"thickness_nm": FILM[1], "roughness": 0.0}},
     )  # fmt: skip
@@ -129,7 +128,7 @@ def test_bands_are_those_of_all_lights():
 @pytest.fixture(scope="module")
 def box(blender):
     said = blender.call(
-        "spectral.box", folder=str(blender.folder), size=48, samples=64, passes=16
+        "spectral.scenes.box", folder=str(blender.folder), size=48, samples=64, passes=16
     )  # fmt: skip
     pictures = {
         name: read_image(blender.folder / f"{name}.exr") for name in ("before", "rgb", "after")
@@ -167,7 +166,7 @@ def test_under_its_own_lights_a_spectral_scene_is_near_the_rgb_one(box):
 
 def test_many_materials_and_back(blender):
     """Whatever shaders and sources of colours chance has put together."""
-    said = blender.call("spectral.many", folder=str(blender.folder), count=COUNT, samples=16)
+    said = blender.call("spectral.scenes.many", folder=str(blender.folder), count=COUNT, samples=16)
     before, again, after = (
         read_image(blender.folder / f"{name}.exr") for name in ("before", "again", "after")
     )

@@ -66,7 +66,7 @@ def in_bands(blender, name: str, cells: list[dict], **more) -> tuple[dict, Path]
     folder = blender.folder / name.replace("/", "_")
     folder.mkdir()
     said = blender.call(
-        "spectral.films",
+        "spectral.scenes.films",
         **{"cells": cells, "columns": COLUMNS, "folder": str(folder), "size": SIZE},
         **{"samples": 64, "lit": "reflected", **more},
     )

@@ -43,7 +43,7 @@ def there_and_back(blender, kind, what):
     """The same picture where nothing is rendered in bands, and hardly another in bands: under daylight both
     have the same colours, but where light goes through several of them in turn."""
     said = blender.call(
-        "foreign.there_and_back",
+        "spectral.foreign.there_and_back",
         kind=kind, what=str(what), folder=str(blender.folder), size=SIZE, samples=SAMPLES, triples=8,
     )  # fmt: skip
     pictures = [

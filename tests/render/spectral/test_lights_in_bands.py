@@ -23,7 +23,7 @@ def test_an_exchanged_lamp_is_as_if_it_had_been_there(blender, record_property):
     folder = blender.folder / "groups"
     folder.mkdir()
     said = blender.call(
-        "spectral_lights.groups",
+        "spectral.lights.groups",
         **{"reflectances": CHART, "light": "A", "other": "F11", "folder": str(folder)},
         samples=16 * 32,
     )

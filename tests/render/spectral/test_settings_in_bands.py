@@ -4,8 +4,6 @@
 
 from __future__ import annotations
 
-import os
-
 import numpy as np
 import OpenImageIO as oiio
 import pytest
@@ -17,7 +15,7 @@ from support.spectral import delta_e_of_parts
 @pytest.fixture(scope="module")
 def settings(blender):
     said = blender.call(
-        "spectral_settings.settings", folder=str(blender.folder), size=64, samples=8, passes=8
+        "spectral.settings.settings", folder=str(blender.folder), size=64, samples=8, passes=8
     )
     pictures = {}
     for name in ("plain", "clean", "truth", "awkward"):
@@ -61,10 +59,9 @@ def test_settings_that_get_in_the_way_are_left_out_and_put_back(settings):
 def test_what_goes_with_bands(blender, what):
     """A room of diffuse colours looks as it does in RGB, but for what is saturated twice over; the rest is
     noise."""
-    if blender.version != "5.2" and not os.environ.get("NACRE_SOAK"):
-        pytest.skip("seen in one version")
+    blender.see_in("5.2")
     said = blender.call(
-        "spectral_settings.tried",
+        "spectral.settings.tried",
         what=what, folder=str(blender.folder), size=64, samples=64, triples=8,
     )  # fmt: skip
     assert not said["remarks"]

@@ -16,20 +16,21 @@ using bands::Bands;
 using spectral::Mat3;
 using spectral::Vec3;
 
-std::vector<double> daylight(const Bands& bands)
+/// What is white, of Y = 1; D65 where nobody says.
+std::vector<double> white_of(const Viewer& viewer, const Bands& bands)
 {
-    std::vector<double> power = bands::light_in_bands(bands, bands::named_light("D65"));
+    std::vector<double> power =
+        viewer.white ? *viewer.white : bands::light_in_bands(bands, bands::named_light("D65"));
     const double brightness = bands.xyz(power)[1];
     for (double& value : power) value /= brightness;
     return power;
 }
 
-/// To XYZ relative to D65, with `white` as white; the identity where nothing is.
-Mat3 adapted(const Viewer& viewer, const Bands& seen)
+/// To XYZ relative to D65, with a light as white.
+Mat3 adapted(const Viewer& viewer, const std::vector<double>& light, const Bands& seen)
 {
     const Mat3 to_d65 = spectral::emission_to_d65(seen.observer);
-    if (!viewer.white) return to_d65;
-    Vec3 white = multiply(to_d65, seen.xyz(*viewer.white));
+    Vec3 white = multiply(to_d65, seen.xyz(light));
     const double brightness = white[1];
     for (double& value : white) value /= brightness;
     return multiply(
@@ -70,19 +71,18 @@ Mat3 fitted(const std::vector<Vec3>& from, const std::vector<Vec3>& to, const Ve
     return matrix;
 }
 
-std::vector<Vec3> of_camera(const Bands& bands, const Viewer& viewer)
+/// What each channel has of a band, 1 of `white`.
+std::vector<Vec3> balanced(const spectral::Camera& camera, const std::vector<double>& white,
+                           const Bands& bands)
 {
-    const std::vector<double> white = viewer.white.value_or(daylight(bands));
-    std::vector<Vec3> raw =
-        bands::responses(bands, [&](double nm) { return viewer.camera->at(nm); });
+    std::vector<Vec3> raw = bands::responses(bands, [&](double nm) { return camera.at(nm); });
     const Vec3 of_white = summed(white, raw);
-    const double brightness = bands.xyz(white)[1];
     for (std::size_t c = 0; c < 3; ++c) {
         if (!(of_white[c] > 0.0))
             throw InputError({.file = {},
                               .field = "--white",
                               .message = "has no light that every channel of the camera sees"});
-        for (Vec3& band : raw) band[c] *= brightness / of_white[c];
+        for (Vec3& band : raw) band[c] /= of_white[c];
     }
     return raw;
 }
@@ -101,28 +101,23 @@ std::vector<Vec3> colours_of_bands(const Bands& bands, const Viewer& viewer,
                                    const spectral::ColourSpace& space)
 {
     const Bands seen = bands::seen_by(bands, viewer.observer);
-    Mat3 matrix = multiply(space.from_xyz_d65, adapted(viewer, seen));
+    const std::vector<double> white = white_of(viewer, seen);
     std::vector<Vec3> colours;
+    Mat3 to_d65 = viewer.white || viewer.camera ? adapted(viewer, white, seen)
+                                                : spectral::emission_to_d65(seen.observer);
     if (viewer.camera) {
-        colours = of_camera(seen, viewer);
-        const std::vector<double> white = viewer.white.value_or(daylight(seen));
-        Viewer eye = viewer;
-        eye.white = white;
-        const Mat3 to_d65 = adapted(eye, seen);
+        colours = balanced(*viewer.camera, white, seen);
         std::vector<Vec3> from, to;
         for (std::vector<double> surface : reflectances(seen)) {
             for (std::size_t k = 0; k < surface.size(); ++k) surface[k] *= white[k];
             from.push_back(summed(surface, colours));
             to.push_back(multiply(to_d65, seen.xyz(surface)));
         }
-        const double brightness = seen.xyz(white)[1];
-        for (std::vector<Vec3>* values : {&from, &to})
-            for (Vec3& value : *values)
-                for (double& channel : value) channel /= brightness;
-        matrix = multiply(space.from_xyz_d65, fitted(from, to, spectral::d65_white()));
+        to_d65 = fitted(from, to, spectral::d65_white());
     } else {
         for (const bands::Band& band : seen.bands) colours.push_back(band.xyz);
     }
+    const Mat3 matrix = multiply(space.from_xyz_d65, to_d65);
     const double gain = std::pow(2.0, viewer.exposure);
     for (Vec3& colour : colours) {
         if (!viewer.raw) colour = multiply(matrix, colour);

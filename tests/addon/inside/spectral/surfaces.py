@@ -38,6 +38,8 @@ colour = only(give.colours_of(paint))
 assert colour.label == "Principled BSDF: Base Color"
 assert colour.spectrum == ""
 
+assert module("spectral.outlook").lines()[0] == "24 bands in 8 passes"
+
 # Those that look most like it come first; what it is shows in RGB too.
 items = choices._reflectances(
     type("Choice", (), {"material": "Paint", "colour": ""})(), bpy.context

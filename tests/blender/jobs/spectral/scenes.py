@@ -10,12 +10,12 @@ from random import Random
 
 import bpy
 
-from . import extension
-from .eevee import engine as eevee_engine
-from .furnace import atlas_scene as furnace_atlas
-from .furnace import film as furnace_film
-from .furnace import light_by_depth
-from .pictures import empty_scene, render_picture
+from .. import extension
+from ..eevee import engine as eevee_engine
+from ..furnace import atlas_scene as furnace_atlas
+from ..furnace import film as furnace_film
+from ..furnace import light_by_depth
+from ..pictures import empty_scene, render_picture
 
 
 def patch(scene: bpy.types.Scene, column: int, row: int, material: bpy.types.Material) -> None:
@@ -157,7 +157,11 @@ def rendered(
     found = rendering.rendered(kept)
     rendering.write(found, rendering.colour_of(found, scene, samples), scene, Path(file))
     kept.end()
-    return {"passes": made.passes, "left": [key for key in scene.keys() if "nacre" in key]}  # noqa: SIM118
+    return {
+        "passes": made.passes,
+        "left": [key for key in scene.keys() if "nacre" in key],  # noqa: SIM118 of an ID
+        "white": [float(value) for value in made.white],
+    }
 
 
 def _material(name: str, colour: tuple) -> bpy.types.Material:

@@ -8,9 +8,9 @@ from pathlib import Path
 
 import bpy
 
-from . import extension
-from .pictures import empty_scene
-from .spectral import matt, patch, rendered, seen_from_above
+from .. import extension
+from ..pictures import empty_scene
+from .scenes import matt, patch, rendered, seen_from_above
 
 
 def groups(*, reflectances: list[str], light: str, other: str, folder: str, samples: int) -> dict:

@@ -10,10 +10,10 @@ from pathlib import Path
 import bpy
 from mathutils import Vector
 
-from . import extension
-from .furnace import film, keep_all_light
-from .pictures import empty_scene, render_picture
-from .spectral import matt, rendered
+from .. import extension
+from ..furnace import film, keep_all_light
+from ..pictures import empty_scene, render_picture
+from .scenes import matt, rendered
 
 
 def render(*, described: dict, folder: str, samples: int) -> dict:

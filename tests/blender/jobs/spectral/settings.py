@@ -8,9 +8,9 @@ from pathlib import Path
 
 import bpy
 
-from . import extension
-from .pictures import render_picture
-from .spectral import rendered, room
+from .. import extension
+from ..pictures import render_picture
+from .scenes import rendered, room
 
 
 def settings(*, folder: str, size: int, samples: int, passes: int) -> dict:

@@ -9,9 +9,9 @@ from pathlib import Path
 import bpy
 from mathutils import Vector
 
-from . import extension
-from .pictures import empty_scene, render_picture
-from .spectral import rendered
+from .. import extension
+from ..pictures import empty_scene, render_picture
+from .scenes import rendered
 
 
 def there_and_back(

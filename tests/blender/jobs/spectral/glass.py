@@ -8,12 +8,12 @@ from pathlib import Path
 
 import bpy
 
-from . import extension
-from .eevee import engine as eevee_engine
-from .furnace import blenders_own, film, keep_all_light
-from .pictures import empty_scene, render_picture
-from .prism import add_camera, wedge_of
-from .spectral import rendered
+from .. import extension
+from ..eevee import engine as eevee_engine
+from ..furnace import blenders_own, film, keep_all_light
+from ..pictures import empty_scene, render_picture
+from ..prism import add_camera, wedge_of
+from .scenes import rendered
 
 
 def wedge(
@@ -21,7 +21,8 @@ def wedge(
     samples: int, folder: str,
 ) -> dict:  # fmt: skip
     """Parallel rays through a wedge, in the bands of these lines: 4 plus the x of the direction to where the
-    ray came from (direction.exr), and 1 (passed.exr), of what crossed both faces and was nowhere reflected."""
+    ray came from (direction.exr), and 1 (passed.exr), of what crossed both faces and was nowhere reflected; that
+    light is RGB, `white` of a band."""
     scene = empty_scene()
     made = film(scene, {"material": material, "form": form, "values": values})
     wedge_of(scene, made, apex_deg, incidence_deg)

@@ -136,14 +136,13 @@ def test_as_mitsuba_shows_it(blender, name, metals_folder, tmp_path, record_prop
     if importlib.util.find_spec("mitsuba") is None:
         pytest.skip("there is no Mitsuba (tests/requirements.txt)")
     case, more = CASES[name], 4 if SOAK else 1
-    if blender.version != case.version and not SOAK:
-        pytest.skip(f"seen in {case.version}; NACRE_SOAK=1 sees it in both")
+    blender.see_in(case.version)
     scene = case.describe()
     expected = scenes.picture(scene, tmp_path, more * case.of_mitsuba)
     if any("template" in surface for surface in scene["surfaces"].values()):
         blender = blender.with_environment(NACRE_MATERIALS=str(metals_folder))
     said = blender.call(
-        "spectral_mitsuba.render",
+        "spectral.mitsuba.render",
         **{"described": scene, "folder": str(tmp_path), "samples": more * case.of_nacre},
     )
     assert not said["remarks"]
