@@ -87,14 +87,16 @@ def lamp(
     size: float,
     watts: float,
     colour: tuple[float, float, float] = (1.0, 1.0, 1.0),
-) -> None:
+    name: str = "Lamp",
+) -> bpy.types.Object:
     """A round area lamp."""
-    data = bpy.data.lights.new("Lamp", "AREA")
+    data = bpy.data.lights.new(name, "AREA")
     data.shape = "DISK"
     data.size, data.energy, data.color = size, watts, colour
-    obj = bpy.data.objects.new("Lamp", data)
+    obj = bpy.data.objects.new(name, data)
     aim(obj, location, target)
     bpy.context.scene.collection.objects.link(obj)
+    return obj
 
 
 def aim(

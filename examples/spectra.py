@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: Apache-2.0
+"""What scenes that are rendered in bands share: measured colours, light groups, cloth."""
+
+from __future__ import annotations
+
+import math
+
+import bpy
+from staging import EXTENSION, bump, mesh_object, plain_material
+
+
+def measured(
+    name: str, spectrum: object, *, roughness: float = 0.5, weave: float = 0.0
+) -> bpy.types.Material:
+    """A plain material whose colour is a reflectance: a key of the library, or one of its spectra.
+
+    `weave`: how fine a cloth's threads are; 0 for what is no cloth.
+    """
+    import importlib
+
+    described = importlib.import_module(f"{EXTENSION}.spectral.described").Described
+    groups = importlib.import_module(f"{EXTENSION}.spectral.groups")
+    material = plain_material(name, (0.5, 0.5, 0.5), roughness=roughness)
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    node = nodes.new("ShaderNodeGroup")
+    found = (
+        described.named(spectrum) if isinstance(spectrum, str) else described.of_spectrum(spectrum)
+    )
+    node.node_tree = groups.spectrum_group(found)
+    shader = nodes["Principled BSDF"]
+    links.new(node.outputs["Color"], shader.inputs["Base Color"])
+    if weave > 0.0:
+        shader.inputs["Specular IOR Level"].default_value = 0.15
+        bump(material, scale=weave, strength=0.35, distance_m=0.02)
+    return material
+
+
+def light_groups(**members: bpy.types.Object | bpy.types.World) -> None:
+    """Each lamp, or the world, in a group of its own."""
+    for name, member in members.items():
+        bpy.context.view_layer.lightgroups.add(name=name)
+        member.lightgroup = name
+
+
+def table_cloth(radius: float, height: float, *, folds: int, flare: float) -> bpy.types.Object:
+    """Laid over a round table, down to the floor in folds."""
+    segments, edge = 720, 0.05
+    arc = [(radius + edge * math.sin(a), edge * (math.cos(a) - 1.0)) for a in _quarter(8)]
+    down = [(radius + edge, -edge - (height - edge) * i / 60) for i in range(1, 61)]
+    profile = [(radius * i / 12, 0.0) for i in range(1, 12)] + arc + down
+    vertices = [(0.0, 0.0, height)]
+    for r, drop in profile:
+        share = max(0.0, -drop - 0.02) / height
+        for step in range(segments):
+            angle = math.tau * step / segments
+            phase = folds * angle + 0.9 * math.sin(3.0 * angle + 0.4) + 0.5 * math.sin(5.0 * angle)
+            wave = 0.5 + 0.5 * math.sin(phase)
+            reach = r + flare * share**0.7 * (0.25 + wave**1.4 + 0.2 * math.sin(2.0 * angle))
+            vertices.append((reach * math.cos(angle), reach * math.sin(angle), height + drop))
+    faces = [(0, 1 + i, 1 + (i + 1) % segments) for i in range(segments)]
+    for ring in range(len(profile) - 1):
+        a, b = 1 + ring * segments, 1 + (ring + 1) * segments
+        for i in range(segments):
+            j = (i + 1) % segments
+            faces.append((a + i, b + i, b + j, a + j))
+    return mesh_object("Table Cloth", vertices, faces)
+
+
+def curtain(width: float, height: float, *, pleats: float, depth: float) -> bpy.types.Object:
+    """Hanging in pleats, along x, the front towards -y."""
+    columns, rows = 900, 24
+    vertices = []
+    for row in range(rows + 1):
+        z = height * row / rows
+        for column in range(columns + 1):
+            x = width * (column / columns - 0.5)
+            phase = math.tau * pleats * column / columns
+            phase += 0.9 * math.sin(0.31 * phase) + 0.15 * math.sin(1.7 * z + 0.23 * phase)
+            swing = math.sin(phase) + 0.18 * math.sin(2.0 * phase + 0.6)
+            vertices.append((x, -depth * swing * (1.0 - 0.25 * row / rows), z))
+    wide = columns + 1
+    faces = [
+        (row * wide + i, row * wide + i + 1, (row + 1) * wide + i + 1, (row + 1) * wide + i)
+        for row in range(rows)
+        for i in range(columns)
+    ]
+    return mesh_object("Curtain", vertices, faces)
+
+
+def _quarter(steps: int) -> list[float]:
+    return [math.pi / 2.0 * i / steps for i in range(steps + 1)]
