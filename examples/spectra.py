@@ -36,6 +36,16 @@ def measured(
     return material
 
 
+def even_sky(strength: float) -> None:
+    """White from everywhere, in place of the environment: D65 alone in bands, and no noise."""
+    tree = bpy.context.scene.world.node_tree
+    sky = tree.nodes["Background"]
+    for link in list(sky.inputs["Color"].links):
+        tree.links.remove(link)
+    sky.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    sky.inputs["Strength"].default_value = strength
+
+
 def light_groups(**members: bpy.types.Object | bpy.types.World) -> None:
     """Each lamp, or the world, in a group of its own."""
     for name, member in members.items():
