@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Nacre contributors
 # SPDX-License-Identifier: Apache-2.0
-"""Puts developed pictures side by side, without noise and through a view transform, into one .png.
+"""Puts pictures side by side into one .png: an .exr without its noise and through a view transform, a .png
+as it is.
 
-usage: side_by_side.py [--view NAME] [--rows N] FILE.png PICTURE.exr…
+usage: side_by_side.py [--view NAME] [--rows N] FILE.png PICTURE…
 """
 
 from __future__ import annotations
@@ -18,7 +19,12 @@ GAP = 8  # pixels
 
 
 def shown(path: Path, view: str, folder: Path) -> Image.Image:
-    """By Blender's compositor, which denoises and knows the view transforms."""
+    """By Blender's compositor, which denoises and knows the view transforms.
+
+    Blender 4.5 does not survive it with the channels of a spectral .exr: develop one first.
+    """
+    if path.suffix == ".png":
+        return Image.open(path).convert("RGB")
     picture = bpy.data.images.load(str(path.resolve()))
     scene = bpy.context.scene
     scene.render.resolution_x, scene.render.resolution_y = picture.size
