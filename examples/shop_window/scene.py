@@ -112,6 +112,7 @@ def room() -> None:
 
 def main() -> None:
     scene = new_scene("interior", strength=0.12, turn_deg=150.0)
+    scene.cycles.use_light_tree = False  # four lamps, each of them is wanted everywhere
     vessels()
     cloths()
     room()
@@ -122,7 +123,7 @@ def main() -> None:
         Ceiling=lamp((0.6, -0.8, 4.6), (0.2, 0.2, 0.0), size=2.2, watts=120.0, name="Ceiling"),
         Display=lamp((2.4, -2.6, 3.6), (0.2, 0.0, 1.2), size=0.25, watts=90.0, name="Display"),
     )
-    camera((0.25, -7.0, 1.8), (0.25, -0.2, 1.04), lens_mm=59.0, f_stop=1.4)
+    camera((0.22, -7.0, 1.85), (0.22, -0.2, 1.1), lens_mm=64.0, f_stop=1.4)
     save(sys.argv[1])
 
 
