@@ -4,7 +4,7 @@
 
 usage: store_picture.py FOLDER EXAMPLE
 
-The example has one picture in FOLDER.
+The example has one picture in FOLDER, and a plot at most.
 """
 
 from __future__ import annotations
@@ -34,6 +34,9 @@ def main() -> None:
     (source,) = folder.glob(f"{example}*.png")
     target = Path(__file__).parent / example / "picture.jpg"
     target.write_bytes(as_jpeg(Image.open(source).convert("RGB")))
+    plot = folder / f"{example}.svg"
+    if plot.exists():
+        target.with_name("plot.svg").write_bytes(plot.read_bytes())
 
 
 main()
