@@ -5,9 +5,11 @@
 from __future__ import annotations
 
 import math
+import tempfile
+from pathlib import Path
 
 import bpy
-from staging import EXTENSION, bump, mesh_object, plain_material
+from staging import bump, mesh_object, plain_material
 
 
 def measured(
@@ -17,20 +19,18 @@ def measured(
 
     `weave`: how fine a cloth's threads are; 0 for what is no cloth.
     """
-    import importlib
-
-    described = importlib.import_module(f"{EXTENSION}.spectral.described").Described
-    groups = importlib.import_module(f"{EXTENSION}.spectral.groups")
     material = plain_material(name, (0.5, 0.5, 0.5), roughness=roughness)
-    nodes, links = material.node_tree.nodes, material.node_tree.links
-    node = nodes.new("ShaderNodeGroup")
-    found = (
-        described.named(spectrum) if isinstance(spectrum, str) else described.of_spectrum(spectrum)
-    )
-    node.node_tree = groups.spectrum_group(found)
-    shader = nodes["Principled BSDF"]
-    links.new(node.outputs["Color"], shader.inputs["Base Color"])
+    if isinstance(spectrum, str):
+        bpy.ops.nacre.give_reflectance(material=name, reflectance=spectrum)
+    else:
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "spectrum.csv")
+            rows = zip(spectrum.wavelength_nm, spectrum.values, strict=True)
+            lines = [f"wavelength_nm,{name}", *(f"{nm:g},{value:.9g}" for nm, value in rows)]
+            file.write_text("\n".join(lines), "utf-8")
+            bpy.ops.nacre.read_spectra(filepath=str(file), material=name)
     if weave > 0.0:
+        shader = material.node_tree.nodes["Principled BSDF"]
         shader.inputs["Specular IOR Level"].default_value = 0.15
         bump(material, scale=weave, strength=0.35, distance_m=0.02)
     return material

@@ -10,6 +10,7 @@ converted, whatever scene uses it: what is not rendered in bands looks as before
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 import bpy
 
@@ -89,6 +90,15 @@ _STAYS = {
     "Dispersion": "its dispersion is Blender's, whose wavelength is not that of bands; assign Custom Glass",
 }
 """What has no part in bands, by the name of the socket that has it above 0."""
+
+_COLOURS = ("RGBA", "VECTOR")
+"""Types of sockets that bands go through."""
+_MIX_CHANNELS = ("HUE", "SATURATION", "VALUE", "COLOR")
+_VECTOR_BY_CHANNEL = (
+    "ADD", "SUBTRACT", "MULTIPLY", "DIVIDE", "MULTIPLY_ADD", "SCALE", "MINIMUM", "MAXIMUM",
+)  # fmt: skip
+_FACTORS = ("MULTIPLY", "DIVIDE")
+"""What they multiply a light by is a reflectance."""
 
 _OF_COLOUR = {REFLECTANCE: REFLECTANCE_OF_COLOUR, EMISSION: LIGHT_OF_COLOUR}
 _OF_MIXTURE = {REFLECTANCE: REFLECTANCE_OF_MIXTURE, EMISSION: LIGHT_OF_MIXTURE}
@@ -226,6 +236,9 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
             socket = node.inputs.get(name)
             if socket is None or not _is_needed(node, socket, role):
                 continue
+            if _carries_bands(socket):
+                _join(tree, socket, role, Remark(kind, owner, ""), report)
+                continue
             if socket.is_linked and socket.links[0].from_node.type in _OF_RGB:
                 what = _OF_RGB[socket.links[0].from_node.type]
                 report.remarks.append(Remark(kind, owner, f"{node.name}: {name}: {what}"))
@@ -240,6 +253,51 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
                 continue
             put_in(tree, socket, role, None)
             report.spectra += 1
+
+
+def _carries_bands(socket: bpy.types.NodeSocket) -> bool:
+    """Whether a spectrum is among what nodes compute for it."""
+    for link in socket.links:
+        source = link.from_node
+        group = source.node_tree if source.type == "GROUP" else None
+        if group is not None and is_ours(group):
+            return True
+        if any(_carries_bands(each) for each in source.inputs if each.type in _COLOURS):
+            return True
+    return False
+
+
+def _join(
+    tree: bpy.types.NodeTree,
+    socket: bpy.types.NodeSocket,
+    role: str,
+    remark: Remark,
+    report: Report,
+) -> None:
+    """Whatever meets a spectrum on its way gets one too, as far as nodes work by channel."""
+    for node in [link.from_node for link in socket.links]:
+        if node.type == "GROUP" and node.node_tree is not None and is_ours(node.node_tree):
+            continue
+        if not _works_by_channel(node):
+            text = f"{node.name}: takes the spectrum that comes in for RGB"
+            report.remarks.append(replace(remark, text=text))
+            continue
+        factor = getattr(node, "blend_type", getattr(node, "operation", "")) in _FACTORS
+        meets = REFLECTANCE if factor else role
+        for each in [each for each in node.inputs if each.enabled and each.type in _COLOURS]:
+            if _carries_bands(each):
+                _join(tree, each, meets, remark, report)
+            elif _is_needed(node, each, meets):
+                put_in(tree, each, meets, None)
+                report.spectra += 1
+
+
+def _works_by_channel(node: bpy.types.Node) -> bool:
+    if node.type in ("MIX", "MIX_RGB"):
+        return node.blend_type not in _MIX_CHANNELS
+    if node.type == "VECT_MATH":
+        return node.operation in _VECTOR_BY_CHANNEL
+    return node.type in ("REROUTE", "GAMMA", "INVERT", "BRIGHTCONTRAST")
 
 
 def roles(node: bpy.types.Node) -> dict[str, str]:
@@ -289,6 +347,7 @@ def put_in(
         animation.move(socket, node.inputs["Color"])
     else:
         given = tuple(socket.default_value) if colour is None else colour
+        given = (*given[:3], 1.0)
         _fill(node, role, given)
         node.inputs["Color"].default_value = given
     tree.links.new(node.outputs[0], socket)

@@ -194,6 +194,12 @@ def test_places_and_metamers(nacre, tmp_path):
     assert (tmp_path / "s.svg").read_text().startswith("<?xml")
     shown = nacre.ok("develop", file, *places, "--under", "F11")
     assert "under F11: ΔE00" in shown
+    more = ("--region", "1,1", "--region", "3,1")
+    nacre.ok("develop", file, *places, *more, "--plot", tmp_path / "many.svg")
+    curves = [
+        (tmp_path / name).read_text().count("stroke-width:2") for name in ("s.svg", "many.svg")
+    ]
+    assert curves == [2, 4]
 
 
 def test_pictures_of_other_programs(nacre, tmp_path):

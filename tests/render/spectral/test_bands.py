@@ -187,3 +187,26 @@ def test_many_materials_and_back(blender):
     # Where light goes through several colours, spectra and RGB differ by nature.
     np.testing.assert_allclose(bands.mean((0, 1)), before.mean((0, 1)), rtol=0.03)
     assert delta_e_of_parts(bands, before) < 1.0 + delta_e_of_parts(again, before)
+
+
+def test_what_meets_a_spectrum_is_one_too(blender):
+    """A measured colour times white is that colour, times another the product in each band."""
+    file = blender.folder / "mixed.exr"
+    said = blender.call("spectral.scenes.mixed", file=str(file), size=SIZE, samples=64)
+    buffer = oiio.ImageBuf(str(file))
+    names = buffer.spec().channelnames
+    pixels = buffer.get_pixels(oiio.FLOAT)[SIZE // 2, SIZE // 2 :: SIZE]
+    bands = pixels[:, [at for at, name in enumerate(names) if name.startswith("S0.")]]
+    alone, times_white, times_colour, colour, _, _ = bands
+    np.testing.assert_allclose(times_white, alone, rtol=1e-3)
+    daylight = alone / reflectance_at("colorchecker/blue-sky", wavelengths(names))
+    np.testing.assert_allclose(times_colour, alone * colour / daylight, rtol=5e-3)
+    rgb = pixels[:, [names.index(channel) for channel in "RGB"]]
+    np.testing.assert_allclose(rgb[4], rgb[2], atol=0.02)  # another spectrum of the same colour
+    assert said["remarks"] == ["Hue/Saturation/Value: takes the spectrum that comes in for RGB"]
+    assert said["spectra"] == [said["removed"], 0]
+    assert said["removed"] == 4  # the sky, a colour twice, and a picture
+
+
+def wavelengths(names):
+    return np.array([float(name[3:-2].replace(",", ".")) for name in names if "S0." in name])

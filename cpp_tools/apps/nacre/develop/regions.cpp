@@ -3,7 +3,9 @@
 #include "develop/regions.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -169,10 +171,15 @@ spectral::NamedSpectrum spectrum_of(const Place& place, const SpectralPicture& p
             .samples = {std::move(nm), place.radiance}};
 }
 
+/// Of curves after the first.
+constexpr std::array kFurther = {Paint{0.75, 0.22, 0.13}, Paint{0.10, 0.50, 0.24},
+                                 Paint{0.50, 0.25, 0.60}, Paint{0.80, 0.48, 0.05},
+                                 Paint{0.05, 0.50, 0.55}};
+
 Plot plot_of_places(const std::vector<spectral::NamedSpectrum>& places, const std::string& title)
 {
     Plot plot = plot_of(places.front());
-    plot.title = title;
+    plot.title = std::filesystem::path(title).filename().string();
     plot.subtitle = places.front().name;
     double most = 0.0;
     for (const spectral::NamedSpectrum& place : places)
@@ -180,10 +187,15 @@ Plot plot_of_places(const std::vector<spectral::NamedSpectrum>& places, const st
     const Axis axis = Axis::rounded(0.0, most > 0.0 ? most : 1.0, kPlotArea.bottom, kPlotArea.top);
     plot.curves.front().axis = axis;
     plot.curves.front().label = "radiance per nm";
-    if (places.size() > 1) {
-        plot.subtitle += fmt::format("  and  {}", places[1].name);
-        plot.curves.push_back(
-            {places[1].name, places[1].values_at(plot.wavelengths_nm), axis, {0.75, 0.22, 0.13}});
+    const bool both_numbered = places.size() == 2;
+    for (std::size_t i = 1; i < places.size(); ++i)
+        plot.curves.push_back({places[i].name, places[i].values_at(plot.wavelengths_nm), axis,
+                               kFurther[(i - 1) % kFurther.size()], both_numbered});
+    if (both_numbered) plot.subtitle += fmt::format("  and  {}", places[1].name);
+    if (places.size() > 2) {
+        plot.subtitle = fmt::format("{} places", places.size());
+        for (std::size_t i = 0; i < places.size(); ++i)
+            plot.facts.push_back({fmt::format("{}", i + 1), places[i].name, plot.curves[i].paint});
     }
     return plot;
 }

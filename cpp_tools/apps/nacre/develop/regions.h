@@ -37,7 +37,7 @@ struct Place {
 [[nodiscard]] spectral::NamedSpectrum spectrum_of(const Place& place,
                                                   const SpectralPicture& picture);
 
-/// The first over the visible spectrum, a second one as a line. @pre one or more
+/// The first over the visible spectrum, others as lines; `title` is a file. @pre one or more
 [[nodiscard]] Plot plot_of_places(const std::vector<spectral::NamedSpectrum>& places,
                                   const std::string& title);
 

@@ -89,6 +89,7 @@ private:
     void curve(const Curve& curve, bool left)
     {
         canvas_.line(points(curve), curve.paint, 2.0);
+        if (!curve.numbered) return;
         const Lettering number = {
             .size = 12.0, .paint = curve.paint, .anchor = left ? Anchor::right : Anchor::left};
         const double side = left ? kPlotArea.left - 8.0 : kPlotArea.right + 8.0;
@@ -131,8 +132,8 @@ private:
         }
         constexpr double kValues = 46.0;
         const Lettering name = {.size = 12.0, .paint = kGrey};
-        const Lettering value = {.size = 12.0, .paint = kInk};
         for (const Fact& fact : plot_.facts) {
+            const Lettering value = {.size = 12.0, .paint = fact.paint.value_or(kInk)};
             canvas_.text({kSwatchArea.left, y}, fact.name, name);
             canvas_.text({kSwatchArea.left + kValues, y}, fact.value, value);
             y += 18.0;

@@ -27,16 +27,19 @@ struct Curve {
     std::vector<double> values;  ///< at the wavelengths of the plot
     Axis axis;
     Paint paint;
+    bool numbered =
+        true;  ///< whether its axis is written: the first to the left, another to the right
 };
 
 struct Fact {
     std::string name, value;
+    std::optional<Paint> paint = {};  ///< of a curve that it tells
 };
 
 struct Plot {
     std::string title, subtitle, citation;
     std::vector<double> wavelengths_nm;
-    std::vector<Curve> curves;  ///< one or two: axes to the left and to the right
+    std::vector<Curve> curves;  ///< one or more, at most two of them numbered
     bool filled = false;        ///< the visible spectrum below the first one, else on a strip
     std::optional<Paint> swatch;
     std::string caption;  ///< of the swatch

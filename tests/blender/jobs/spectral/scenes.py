@@ -406,3 +406,62 @@ def many(*, folder: str, count: int, samples: int) -> dict:
         "removed": removed,
         "remarks": [remark.text for remark in report.remarks],
     }
+
+
+def mixed(*, file: str, size: int, samples: int) -> dict:
+    """Patches that glow under an even sky: of a reflectance, of that times white, of it times a colour that is
+    set, of that colour alone, of it times a picture of that colour, and what no node can do by channel."""
+    scene = empty_scene()
+    reflectance, colour = "colorchecker/blue-sky", (0.7, 0.3, 0.1, 1.0)
+    picture = bpy.data.images.new("plain", 1, 1, float_buffer=True, is_data=True)
+    picture.pixels.foreach_set(colour)
+    picture.pack()
+
+    def times(second: tuple | str) -> bpy.types.Material:
+        material = matt(reflectance)
+        tree = material.node_tree
+        diffuse = next(node for node in tree.nodes if node.type == "BSDF_DIFFUSE")
+        source = diffuse.inputs["Color"].links[0].from_socket
+        if second == "hue":
+            node = tree.nodes.new("ShaderNodeHueSaturation")
+            tree.links.new(source, node.inputs["Color"])
+            tree.links.new(node.outputs["Color"], diffuse.inputs["Color"])
+            return material
+        node = tree.nodes.new("ShaderNodeMix")
+        node.data_type, node.blend_type = "RGBA", "MULTIPLY"
+        factor, a, b = (socket for socket in node.inputs if socket.enabled)
+        factor.default_value = 1.0
+        tree.links.new(source, a)
+        if second == "picture":
+            texture = tree.nodes.new("ShaderNodeTexImage")
+            texture.image = picture
+            tree.links.new(texture.outputs["Color"], b)
+        else:
+            b.default_value = second
+        output = next(socket for socket in node.outputs if socket.enabled)
+        tree.links.new(output, diffuse.inputs["Color"])
+        return material
+
+    plain = matt("")
+    plain.node_tree.nodes["Diffuse BSDF"].inputs["Color"].default_value = colour
+    materials = [
+        matt(reflectance),
+        times((1.0, 1.0, 1.0, 1.0)),
+        times(colour),
+        plain,
+        times("picture"),
+    ]
+    for column, material in enumerate([*materials, times("hue")]):
+        patch(scene, column, 0, material)
+    scene.world = bpy.data.worlds.new("world")
+    scene.world.use_nodes = True
+    seen_from_above(scene, len(materials) + 1, 1, size)
+    report = extension.module("spectral.convert").make_spectral()
+    again = extension.module("spectral.convert").make_spectral()
+    said = rendered(scene, file, samples, 8)
+    return {
+        **said,
+        "spectra": [report.spectra, again.spectra],
+        "removed": extension.module("spectral.convert").make_rgb(),
+        "remarks": [remark.text for remark in report.remarks],
+    }
