@@ -165,6 +165,13 @@ def parser() -> argparse.ArgumentParser:
         help="with a spectrum for every colour: an .exr has a channel for each wavelength besides RGB",
     )
     picture.add_argument(
+        "--mode",
+        choices=["bands", "paths"],
+        default=None,
+        help="of --spectral: passes of three bands each (default), or one render in which each path draws three "
+        "wavelengths, with more noise and without a channel for each",
+    )
+    picture.add_argument(
         "--bands",
         metavar="N",
         type=_bands,
@@ -323,6 +330,7 @@ def _check_spectral(options: argparse.Namespace) -> None:
             ("--light", options.light),
             ("--surface", options.surface),
             ("--bands", options.bands),
+            ("--mode", options.mode),
         ):
             if given not in (None, []):
                 raise UsageError(f"{name} needs --spectral")

@@ -12,10 +12,11 @@ import bpy
 
 import nacre
 
-from ..blender import denoise
+from ..blender import denoise, output
 from ..spectral import convert, give, needs, plan, rendering
 from ..spectral.described import EMISSION, REFLECTANCE, Described, SpectrumError
 from ..spectral.marks import WORLD
+from ..spectral.paths import render
 from . import console
 from .options import UsageError
 
@@ -26,6 +27,7 @@ class Prepared:
 
     plan: plan.Plan
     notes: list[str]
+    by_paths: bool = False
     taken_over: int = 0
     """Passes that a render before this one had left."""
 
@@ -34,7 +36,7 @@ class Prepared:
         choice = self.plan.choice
         return {
             "bands": len(self.plan.bands),
-            "passes": self.plan.passes,
+            "passes": 1 if self.by_paths else self.plan.passes,
             "passes_resumed": self.taken_over,
             **({} if choice is None else {"delta_e": round(choice.error.mean, 4)}),
         }
@@ -44,8 +46,11 @@ class Prepared:
     ) -> None:
         """All passes, then the files. What was rendered of a picture that was stopped is kept in a folder
         beside it, from which --resume goes on."""
-        samples, plan = scene.cycles.samples, self.plan
         smooth = options.denoise and denoise.is_possible()
+        if self.by_paths:
+            self._render_paths(scene, options, paths, smooth=smooth)
+            return
+        samples, plan = scene.cycles.samples, self.plan
         passes = rendering.beside(paths[0], scene, plan, samples, denoise=smooth)
         passes.begin(resume=options.resume)
         missing = passes.missing()
@@ -66,6 +71,28 @@ class Prepared:
                 rendering.write(found, rgb, scene, path)
         passes.end()
 
+    def _render_paths(
+        self,
+        scene: bpy.types.Scene,
+        options: argparse.Namespace,
+        paths: list[Path],
+        *,
+        smooth: bool,
+    ) -> None:
+        with (
+            console.Complaints(options.quiet),
+            console.Progress(paths[0].name, options.quiet),
+            render.prepared(scene, self.plan, denoise=smooth),
+        ):
+            bpy.ops.render.render(scene=scene.name)
+            found = render.taken(scene, denoise=smooth)
+        image = rendering.as_image(found.rgb, found.alpha, f"{paths[0].name} by paths")
+        try:
+            for path in paths:
+                output.Writer(scene).save(path, image)
+        finally:
+            bpy.data.images.remove(image)
+
 
 def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
     """Every colour of the file gets a spectrum, and bands are chosen. Raises ForeseenError."""
@@ -80,7 +107,7 @@ def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
         notes.append(f"{len(made.bands)} bands, the most there are, {_shortfall(made.choice)}")
     if options.denoise and not denoise.is_possible():
         notes.append(denoise.NOT_POSSIBLE)
-    return Prepared(made, notes)
+    return Prepared(made, notes, by_paths=options.mode == "paths")
 
 
 def _shortfall(choice: nacre.BandChoice) -> str:

@@ -4,6 +4,9 @@
 
 from __future__ import annotations
 
+import contextlib
+from collections.abc import Iterator
+
 import bpy
 
 from ..core.form import OSL, Renderer
@@ -57,6 +60,23 @@ def use_wavelengths(scene: bpy.types.Scene) -> bool:
         point.location.y = 1.0
     curve.update()
     return changed
+
+
+@contextlib.contextmanager
+def wavelengths(scene: bpy.types.Scene) -> Iterator[None]:
+    """`use_wavelengths` for a while."""
+    render = scene.render
+    before = render.use_motion_blur, render.motion_blur_shutter
+    curve = render.motion_blur_shutter_curve
+    heights = [point.location.y for point in curve.curves[0].points]
+    try:
+        use_wavelengths(scene)
+        yield
+    finally:
+        render.use_motion_blur, render.motion_blur_shutter = before
+        for point, height in zip(curve.curves[0].points, heights, strict=True):
+            point.location.y = height
+        curve.update()
 
 
 def serve(scene: bpy.types.Scene, form: str, wavelength_per_path: bool) -> list[str]:

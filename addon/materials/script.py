@@ -43,6 +43,15 @@ def fill_script_node(node: bpy.types.ShaderNodeScript, material: CompiledMateria
     given = material.bytecode
     text = strip_provenance(given) if given else _compile(material.id, material.osl)
     text = convert_colours(text, space.to_file(material.to_xyz_d65))
+    _fill(node, text)
+
+
+def fill_with_source(node: bpy.types.ShaderNodeScript, name: str, source: str) -> None:
+    """Likewise, of a shader that is compiled here. Raises OsoError."""
+    _fill(node, _compile(name, source))
+
+
+def _fill(node: bpy.types.ShaderNodeScript, text: str) -> None:
     node.mode = "INTERNAL"
     _set_bytecode(node, text)
     for parameter in parse_parameters(text):

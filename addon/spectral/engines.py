@@ -4,17 +4,20 @@
 
 from __future__ import annotations
 
+import contextlib
 from abc import ABC, abstractmethod
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import bpy
 import numpy as np
+from mathutils import Color
 
 from ..blender.denoise import is_possible
 from ..core.faults import ForeseenError
 from .lamps import lamps_in_bands
 from .light_tree import LightTree
-from .marks import has_own_colour
+from .marks import has_own_colour, is_drawing
 from .plan import Plan
 
 Setting = tuple[bpy.types.bpy_struct, str, Any]
@@ -22,6 +25,47 @@ Setting = tuple[bpy.types.bpy_struct, str, Any]
 
 class EngineError(ForeseenError):
     """It cannot render bands."""
+
+
+def layer_of(scene: bpy.types.Scene) -> bpy.types.ViewLayer:
+    """The one that is rendered."""
+    return next((layer for layer in scene.view_layers if layer.use), scene.view_layers[0])
+
+
+def settings_of(scene: bpy.types.Scene, *, denoise: bool) -> list[Setting]:
+    """Of every engine. The compositor and drawings would take wavelengths for colours, and are left out."""
+    render, layer = scene.render, layer_of(scene)
+    return [
+        (render, "use_compositing", False),
+        (render, "use_sequencer", False),
+        *((other, "use", other == layer) for other in scene.view_layers),
+        *((item, "hide_render", True) for item in scene.objects if is_drawing(item)),
+        (layer.cycles, "denoising_store_passes", denoise),
+    ]
+
+
+def white_lamps() -> list[Setting]:
+    """Of Cycles: lamps have all of their colour in their nodes."""
+    lamps = [light for light in bpy.data.lights if has_own_colour(light)]
+    return [(light, "color", (1.0, 1.0, 1.0)) for light in lamps]
+
+
+@contextlib.contextmanager
+def having(settings: Sequence[Setting]) -> Iterator[None]:
+    """They are as they were at the end."""
+    before = [(owner, name, _copied(getattr(owner, name))) for owner, name, _ in settings]
+    try:
+        for owner, name, value in settings:
+            setattr(owner, name, value)
+        yield
+    finally:
+        for owner, name, value in reversed(before):
+            setattr(owner, name, value)
+
+
+def _copied(value: object) -> object:
+    """A colour that is read is the property itself."""
+    return tuple(value) if isinstance(value, Color) else value
 
 
 class Engine(ABC):
@@ -75,11 +119,7 @@ class _Cycles(Engine):
             (cycles, "use_animated_seed", False),
             (cycles, "time_limit", 0.0),
             (cycles, "sample_offset", 0),
-            *(
-                (light, "color", (1.0, 1.0, 1.0))
-                for light in bpy.data.lights
-                if has_own_colour(light)
-            ),
+            *white_lamps(),
         ]
         if not _has_subsets(cycles):
             return [*wanted, (cycles, "samples", each)]

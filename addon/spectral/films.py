@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import hashlib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import bpy
@@ -94,17 +94,33 @@ def _reader(tree: bpy.types.NodeTree, image: bpy.types.Image) -> bpy.types.NodeT
     reader.interface.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
     formula = Formula(reader)
     inputs = formula.node("NodeGroupInput").outputs
+    counts = [_number(formula, name) for name in (_COLUMNS, _ROWS, _STACKED)]
+    number = attributes.number(formula, attributes.PASS)
+    table = _cell(formula, inputs["Vector"], number, counts, _size(image))
+    table.name = _TABLE
+    end(formula, choice(formula, inputs[BEFORE], table.outputs["Color"]))
+    return reader
+
+
+def _cell(
+    formula: Formula,
+    vector: bpy.types.NodeSocket,
+    number: bpy.types.NodeSocket,
+    counts: Sequence[bpy.types.NodeSocket],
+    size: tuple[int, int],
+) -> bpy.types.ShaderNodeTexImage:
+    """The node that reads the table of a pass in the picture of all of them."""
     place = formula.node("ShaderNodeSeparateXYZ")
-    formula.put(inputs["Vector"], place.inputs[0])
-    columns, rows, stacked = (_number(formula, name) for name in (_COLUMNS, _ROWS, _STACKED))
-    number = formula.number("MULTIPLY", attributes.number(formula, attributes.PASS), stacked)
+    formula.put(vector, place.inputs[0])
+    columns, rows, stacked = counts
+    number = formula.number("MULTIPLY", number, stacked)
     column = formula.number(
         "FLOOR", formula.number("DIVIDE", formula.number("ADD", number, 0.5), rows)
     )
     row = formula.number("SUBTRACT", number, formula.number("MULTIPLY", column, rows))
     moved = formula.node("ShaderNodeCombineXYZ")
     for axis, cell, cells in ((0, column, columns), (1, row, rows)):
-        edge = 0.5 / _size(image)[axis]  # centres of the outer texels: no other pass is mixed in
+        edge = 0.5 / size[axis]  # centres of the outer texels: no other pass is mixed in
         held = formula.number("MAXIMUM", place.outputs[axis], edge)
         within = formula.number("MINIMUM", held, 1.0 - edge)
         at = formula.number("DIVIDE", formula.number("ADD", cell, within), cells)
@@ -112,8 +128,38 @@ def _reader(tree: bpy.types.NodeTree, image: bpy.types.Image) -> bpy.types.NodeT
     table = formula.node("ShaderNodeTexImage", interpolation="Linear", extension="EXTEND")
     table.name = _TABLE
     formula.put(moved.outputs[0], table.inputs["Vector"])
-    end(formula, choice(formula, inputs[BEFORE], table.outputs["Color"]))
-    return reader
+    return table
+
+
+def read_by_channel(
+    reader: bpy.types.NodeTree,
+    numbers: Sequence[bpy.types.NodeSocket],
+    masks: Sequence[bpy.types.NodeSocket],
+) -> bpy.types.NodeSocket:
+    """What a reader has in three bands that are of different passes: for each the number of the pass, and 1 in
+    the channel that it has there, 0 in the others. Once the picture of all passes is in place."""
+    formula, nodes = Formula(reader), reader.nodes
+    counts = [nodes[name].outputs[0] for name in (_COLUMNS, _ROWS, _STACKED)]
+    image = nodes[_TABLE].image
+    size = tuple(
+        round(side / count.default_value)
+        for side, count in zip(image.size, counts[:2], strict=True)
+    )
+    vector = next(node for node in nodes if node.type == "GROUP_INPUT").outputs["Vector"]
+    together = formula.node("ShaderNodeCombineXYZ")
+    for number, mask, channel in zip(numbers, masks, together.inputs, strict=True):
+        table = _cell(formula, vector, number, counts, size)
+        table.image = image
+        formula.put(formula.vector("DOT_PRODUCT", table.outputs["Color"], mask), channel)
+    return together.outputs[0]
+
+
+def links_of_table(
+    reader: bpy.types.NodeTree,
+) -> list[tuple[bpy.types.NodeSocket, bpy.types.NodeSocket]]:
+    """From the picture of all passes to what reads it."""
+    output = reader.nodes[_TABLE].outputs["Color"]
+    return [(link.from_socket, link.to_socket) for link in output.links]
 
 
 def _number(formula: Formula, name: str) -> bpy.types.NodeSocket:

@@ -48,6 +48,8 @@ class Plan:
     values: dict[str, np.ndarray]
     choice: nacre.BandChoice | None = None
     disperses: bool = False
+    lights: frozenset[str] = frozenset()
+    """Names of properties that are lights."""
     kept: dict[Any, Any] = field(default_factory=dict, repr=False, compare=False)
     """What is made for it once, of all frames."""
 
@@ -133,7 +135,8 @@ def make(
     }
     for name, reflectance in zip(BASIS, nacre.rgb_basis().T, strict=True):
         values[name] = np.interp(bands.wavelength_nm, _EVERY_NM, reflectance)
-    return Plan(bands, values, choice, spread_px is not None)
+    shining = frozenset(name for name, found in spectra.items() if found.kind == EMISSION)
+    return Plan(bands, values, choice, spread_px is not None, shining)
 
 
 def white_of(bands: nacre.Bands) -> np.ndarray:

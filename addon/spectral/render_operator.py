@@ -7,7 +7,7 @@ from __future__ import annotations
 from pathlib import Path
 
 import bpy
-from bpy.props import BoolProperty, IntProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
 from ..blender import denoise, output
 from ..core.computation import library_problem
@@ -41,6 +41,25 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         step=3,
     )
 
+    mode: EnumProperty(
+        name="Mode",
+        description="How wavelengths are rendered",
+        items=[
+            (
+                "BANDS",
+                "Bands",
+                "Passes of three wavelengths: hardly more noise than RGB, a channel for each wavelength, any "
+                "GPU and EEVEE",
+            ),
+            (
+                "PATHS",
+                "Paths",
+                "One render, in which each path draws three wavelengths: more noise in colours, RGB alone; "
+                "Open Shading Language",
+            ),
+        ],
+        default="BANDS",
+    )
     animation: BoolProperty(
         name="Animation",
         description="All frames of the scene, each a file: #### in the name is the frame. Those that are there "
@@ -83,7 +102,9 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         scene = context.scene
         plan = needs.plan_for(scene, -(-self.bands // 3) or None)
         steps = range(scene.frame_start, scene.frame_end + 1, scene.frame_step)
-        self._jobs = render_job.pictures(scene, path, plan, steps if self.animation else None)
+        self._jobs = render_job.pictures(
+            scene, path, plan, steps if self.animation else None, by_paths=self.mode == "PATHS"
+        )
         self._written = []
         if bpy.app.background:
             for job in self._jobs:
@@ -114,7 +135,7 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         if not job.begin_next():
             return False
         context.workspace.status_text_set(
-            f"Render Spectral: {job.path.name}, pass {job.number + 1} of {job.plan.passes}; Esc stops"
+            f"Render Spectral: {job.path.name}, {job.status}; Esc stops"
         )
         bpy.ops.render.render("INVOKE_DEFAULT", scene=job.scene.name)
         return True
@@ -155,7 +176,8 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         what = (
             job.path if len(self._written) == 1 else f"{len(self._written)} frames up to {job.path}"
         )
-        said = f"{what} written: {len(job.plan.bands)} bands in {job.plan.passes} passes"
+        how = "by paths" if self.mode == "PATHS" else f"in {job.plan.passes} passes"
+        said = f"{what} written: {len(job.plan.bands)} bands {how}"
         if job.plan.choice is not None:
             said += f", within ΔE00 {job.plan.choice.error.mean:.2f} of all wavelengths"
         if render.engine == "CYCLES" and context.scene.cycles.use_denoising:

@@ -12,7 +12,6 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from mathutils import Color
 
 from ..blender import output
 from ..blender.denoise import denoised
@@ -21,53 +20,33 @@ from ..core import exr, spectral_image
 from ..core.whole_file import write_whole
 from . import attributes, films, light_groups
 from .described import DAYLIGHT
-from .engines import engine_of
-from .marks import is_drawing
+from .engines import engine_of, having, layer_of, settings_of
 from .plan import Plan, in_bands
-
-
-def layer_of(scene: bpy.types.Scene) -> bpy.types.ViewLayer:
-    """The one that is rendered."""
-    return next((layer for layer in scene.view_layers if layer.use), scene.view_layers[0])
 
 
 @contextlib.contextmanager
 def prepared(
     scene: bpy.types.Scene, plan: Plan, samples: int, *, denoise: bool = False
 ) -> Iterator[Callable[[int], None]]:
-    """Yields what makes the scene render the pass of a number; all is as it was at the end. The compositor
-    and drawings would take three wavelengths for colours, and are left out. Raises ForeseenError."""
-    engine, render, layer = engine_of(scene), scene.render, layer_of(scene)
-    wanted = [
-        (render, "use_persistent_data", True),
-        (render, "use_compositing", False),
-        (render, "use_sequencer", False),
-        *((other, "use", other == layer) for other in scene.view_layers),
-        *((item, "hide_render", True) for item in scene.objects if is_drawing(item)),
-        (layer.cycles, "denoising_store_passes", denoise),
+    """Yields what makes the scene render the pass of a number; all is as it was at the end. Raises
+    ForeseenError."""
+    engine = engine_of(scene)
+    settings = [
+        (scene.render, "use_persistent_data", True),
+        *settings_of(scene, denoise=denoise),
         *engine.settings(plan, samples),
     ]
-    before = [(owner, name, _copied(getattr(owner, name))) for owner, name, _ in wanted]
-    try:
-        for owner, name, value in wanted:
-            setattr(owner, name, value)
-        with films.in_bands(plan, at_once=engine.has_all_tables) as show_tables:
+    with having(settings), films.in_bands(plan, at_once=engine.has_all_tables) as show_tables:
 
-            def begin(number: int) -> None:
-                engine.begin(plan, number)
-                show_tables(number)
-                attributes.put(scene, plan.properties(number, engine.live))
+        def begin(number: int) -> None:
+            engine.begin(plan, number)
+            show_tables(number)
+            attributes.put(scene, plan.properties(number, engine.live))
 
+        try:
             yield begin
-    finally:
-        for owner, name, value in reversed(before):
-            setattr(owner, name, value)
-        attributes.take_away(scene)
-
-
-def _copied(value: object) -> object:
-    """A colour that is read is the property itself."""
-    return tuple(value) if isinstance(value, Color) else value
+        finally:
+            attributes.take_away(scene)
 
 
 @dataclass(frozen=True)

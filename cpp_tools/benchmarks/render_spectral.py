@@ -125,6 +125,15 @@ def in_bands(scene: bpy.types.Scene, samples: int, seed: int, folder: Path) -> t
     return rgb, seconds
 
 
+def in_paths(scene: bpy.types.Scene, samples: int, seed: int, _folder: Path) -> tuple:
+    spectra = extension("spectral.groups").found_spectra()
+    plan = extension("spectral.plan").make(spectra, PASSES)
+    scene.cycles.samples, scene.cycles.seed = samples, seed
+    start = time.process_time()
+    found = extension("spectral.paths.render").picture(scene, plan)
+    return found.rgb, time.process_time() - start
+
+
 def lab(rgb: np.ndarray, white: float) -> np.ndarray:
     to_xyz = np.array(extension("core.space").REC709)
     xyz = np.maximum(rgb @ to_xyz.T, 0.0) / (to_xyz.sum(axis=1) * white)
@@ -155,13 +164,14 @@ def main() -> None:
     scene = box(tuple(options.size))
     folder = Path(tempfile.mkdtemp())
     reference = {"rgb": in_rgb(scene, MANY, 1, folder)[0]}
-    results: dict[str, list] = {"rgb": [], "bands": []}
+    results: dict[str, list] = {"rgb": [], "bands": [], "paths": []}
     for seed in range(options.repeats):
         results["rgb"].append(in_rgb(scene, SAMPLES, 10 + seed, folder))
     extension("spectral.convert").make_spectral()
-    reference["bands"] = in_bands(scene, MANY, 1, folder)[0]
+    reference["bands"] = reference["paths"] = in_bands(scene, MANY, 1, folder)[0]
     for seed in range(options.repeats):
         results["bands"].append(in_bands(scene, SAMPLES, 10 + seed, folder))
+        results["paths"].append(in_paths(scene, SAMPLES, 10 + seed, folder))
     measured = {}
     for name, renders in results.items():
         both = [noise(picture, reference[name]) for picture, _ in renders]

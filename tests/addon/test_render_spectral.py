@@ -169,6 +169,7 @@ def test_passes_of_another_picture_are_not_taken_for_it(blender45, tmp_path):
         (("--bands", "24"), "--bands needs --spectral"),
         (("--light", "World=A"), "--light needs --spectral"),
         (("--surface", "Wall=colorchecker/red"), "--surface needs --spectral"),
+        (("--mode", "paths"), "--mode needs --spectral"),
         (("--spectral", "--surface", "Wall=a.csv"), "--surface: no material 'Wall'; there are: "),
         (("--spectral", "--light", "Key=A"), "--light: no lamp 'Key' in the scene"),
         (("--spectral", "--light", "World=candle"), "--light: illuminant: must be one of E, A"),
@@ -182,6 +183,24 @@ def test_wrong_usage(blender45, tmp_path, options, message):
     assert done.returncode == 1
     assert message in done.stderr
     assert not (tmp_path / "a.exr").exists()
+
+
+def test_paths_draw_the_colours_of_bands(blender45, tmp_path):
+    found = []
+    for mode in ("bands", "paths"):
+        exr, png = tmp_path / f"{mode}.exr", tmp_path / f"{mode}.png"
+        done = blender45.render(
+            *WHAT, "--samples", "256", "--spectral", "--mode", mode, "--light", "World=F11", "--json",
+            "-o", exr, "-o", png,
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        report = json.loads(done.stdout)
+        assert report["passes"] == (1 if mode == "paths" else report["bands"] // 3)
+        channels = channels_of(exr)
+        assert any(name.startswith("S0.") for name in channels) == (mode == "bands")
+        found.append(np.stack([channels[name] for name in "RGB"], axis=-1).mean((0, 1)))
+        assert png.is_file()
+    np.testing.assert_allclose(found[1], found[0], rtol=0.01)
 
 
 def test_a_material_without_nodes_is_refused(blender45, tmp_path):

@@ -143,6 +143,15 @@ assert tuple(shown.size) == (16, 16)
 assert max(shown.pixels) > 0.0
 assert [key for key in scene.keys() if key.startswith("nacre_")] == []  # noqa: SIM118 of an ID
 
+# In one render, whose paths draw their wavelengths.
+by_paths = folder / "by_paths.exr"
+assert bpy.ops.nacre.render_spectral(filepath=str(by_paths), mode="PATHS") == {"FINISHED"}
+assert by_paths.read_bytes()[:4] == b"\x76\x2f\x31\x01"
+assert [
+    node for group in bpy.data.node_groups for node in group.nodes if node.type == "SCRIPT"
+] == []
+assert not scene.render.use_motion_blur
+
 # An animation has a file for each frame; those that are there are left out where the scene says so.
 cube = scene.objects["Cube"]
 for frame, x in ((1, 0.0), (5, 1.0)):

@@ -49,7 +49,7 @@ def chart(
     *, reflectances: list[str], lights: list[str], file: str, size: int, samples: int, passes: int
 ) -> dict:
     """Patches seen from above, a row of the picture for each light: what they emit is the light times
-    the reflectance."""
+    the reflectance. `passes`: 0 for as many as are needed, -1 for paths that draw their wavelengths."""
     scene = empty_scene()
     for row, light in enumerate(lights):
         for column, reflectance in enumerate(reflectances):
@@ -67,6 +67,8 @@ def chart(
             tree.links.new(emission.outputs[0], out.inputs["Surface"])
             patch(scene, column, row, material)
     seen_from_above(scene, len(reflectances), len(lights), size)
+    if passes < 0:
+        return by_paths(scene, file, samples)
     return rendered(scene, file, samples, passes)
 
 
@@ -264,7 +266,8 @@ def films(
     passes: int = 0,
 ) -> dict:  # fmt: skip
     """Spheres of films under white, as an atlas of the furnace: in RGB (before.exr), in bands under white
-    or a light (bands.exr), and with everything undone (after.exr). `lit`: as of the furnace."""
+    or a light (bands.exr), and with everything undone (after.exr). `lit`: as of the furnace; `passes`: as of the
+    chart."""
     give = extension.module("spectral.give")
     convert, described = (
         extension.module("spectral.convert"),
@@ -286,7 +289,10 @@ def films(
     report = convert.make_spectral()
     if light:
         give.to_world(scene.world, described.Described.named(light))
-    said = rendered(scene, places["bands"], samples, passes)
+    if passes < 0:
+        said = by_paths(scene, places["bands"], samples)
+    else:
+        said = rendered(scene, places["bands"], samples, passes)
     removed = convert.make_rgb()
     render_picture(scene, width, height, samples, places["after"])
     return {
@@ -464,4 +470,22 @@ def mixed(*, file: str, size: int, samples: int) -> dict:
         "spectra": [report.spectra, again.spectra],
         "removed": extension.module("spectral.convert").make_rgb(),
         "remarks": [remark.text for remark in report.remarks],
+    }
+
+
+def by_paths(scene: bpy.types.Scene, file: str, samples: int) -> dict:
+    """The scene as its paths draw wavelengths, in a file of RGB."""
+    plan = extension.module("spectral.needs").plan_for(scene)
+    scene.cycles.samples = samples
+    scene.cycles.use_adaptive_sampling = False
+    before = sorted(node.name for group in bpy.data.node_groups for node in group.nodes)
+    found = extension.module("spectral.paths.render").picture(scene, plan)
+    rendering = extension.module("spectral.rendering")
+    image = rendering.as_image(found.rgb, found.alpha, "by paths")
+    extension.module("blender.output").Writer(scene).save(Path(file), image)
+    bpy.data.images.remove(image)
+    after = sorted(node.name for group in bpy.data.node_groups for node in group.nodes)
+    return {
+        "left": [key for key in scene.keys() if "nacre" in key],  # noqa: SIM118 of an ID
+        "same": before == after,
     }
