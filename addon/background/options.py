@@ -185,7 +185,7 @@ def parser() -> argparse.ArgumentParser:
         action="append",
         default=[],
         help="with --spectral: what a lamp of the scene, or World, is: D65, F11, lamp/hps, blackbody:2700, "
-        "line:589.3, led.csv …, as bright as it was; may be repeated",
+        "line:589.3, led.csv …, as bright as it was; Street* is all whose names begin so; may be repeated",
     )
     picture.add_argument(
         "--surface",

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import argparse
+import fnmatch
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -122,14 +123,16 @@ def _shortfall(choice: nacre.BandChoice) -> str:
 def _give_light(scene: bpy.types.Scene, text: str) -> None:
     name, _, spectrum = text.partition("=")
     lamps = {item.name: item.data for item in scene.objects if item.type == "LIGHT"}
-    if name not in lamps and (name != WORLD or scene.world is None):
+    meant = [name] if name in lamps else fnmatch.filter(lamps, name)
+    is_world = not meant and name == WORLD and scene.world is not None
+    if not meant and not is_world:
         known = ", ".join([*lamps, *([WORLD] if scene.world is not None else [])]) or "none"
         raise UsageError(f"--light: no lamp {name!r} in the scene {scene.name}; there are: {known}")
     try:
         described = Described.named(spectrum, EMISSION)
-        if name in lamps:
-            give.to_lamp(lamps[name], described)
-        else:
+        for lamp in meant:
+            give.to_lamp(lamps[lamp], described)
+        if is_world:
             give.to_world(scene.world, described)
     except SpectrumError as error:
         raise UsageError(f"--light: {error}") from error
