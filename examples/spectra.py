@@ -21,14 +21,14 @@ def measured(
     """
     material = plain_material(name, (0.5, 0.5, 0.5), roughness=roughness)
     if isinstance(spectrum, str):
-        bpy.ops.nacre.give_reflectance(material=name, reflectance=spectrum)
+        bpy.ops.nacre.give_reflectance(material=material.name, reflectance=spectrum)
     else:
         with tempfile.TemporaryDirectory() as folder:
             file = Path(folder, "spectrum.csv")
             rows = zip(spectrum.wavelength_nm, spectrum.values, strict=True)
             lines = [f"wavelength_nm,{name}", *(f"{nm:g},{value:.9g}" for nm, value in rows)]
             file.write_text("\n".join(lines), "utf-8")
-            bpy.ops.nacre.read_spectra(filepath=str(file), material=name)
+            bpy.ops.nacre.read_spectra(filepath=str(file), material=material.name)
     if weave > 0.0:
         shader = material.node_tree.nodes["Principled BSDF"]
         shader.inputs["Specular IOR Level"].default_value = 0.15
