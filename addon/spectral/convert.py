@@ -112,6 +112,7 @@ def make_spectral() -> Report:
     """Everything of the file that is its own; what is spectral already stays as it is."""
     report = Report()
     _convert_ours(trees(), report)
+    spectra = _Spectra()
     for light in bpy.data.lights:
         convert_lamp(light, report)
     for kind, owners in (("world", bpy.data.worlds), ("material", bpy.data.materials)):
@@ -119,14 +120,14 @@ def make_spectral() -> Report:
             if owner.library is not None:
                 report.remarks.append(Remark(kind, owner.name, LINKED))
             elif owner.use_nodes and owner.node_tree is not None:
-                _convert_tree(owner.node_tree, kind, owner.name, report)
+                _convert_tree(owner.node_tree, kind, owner.name, report, spectra)
     laid_by = forms.formers()
     for group in bpy.data.node_groups:
         if group.bl_idname == "ShaderNodeTree" and not is_ours(group) and group not in laid_by:
             if group.library is not None:
                 report.remarks.append(Remark("node group", group.name, LINKED))
             else:
-                _convert_tree(group, "node group", group.name, report)
+                _convert_tree(group, "node group", group.name, report, spectra)
     for item in bpy.data.objects:
         if is_drawing(item):
             text = "is a drawing, which no engine renders; left out of bands"
@@ -145,7 +146,7 @@ def follow(material: bpy.types.Material) -> None:
 
 def renew(tree: bpy.types.NodeTree) -> None:
     """What has no spectrum in it gets one of its colour."""
-    _convert_tree(tree, "", "", Report())
+    _convert_tree(tree, "", "", Report(), _Spectra())
 
 
 def make_rgb() -> int:
@@ -195,7 +196,7 @@ def convert_lamp(light: bpy.types.Light, report: Report) -> None:
             report.remarks.append(
                 Remark("lamp", light.name, "its own colour, on top of its nodes, stays RGB")
             )
-        _convert_tree(light.node_tree, "lamp", light.name, report)
+        _convert_tree(light.node_tree, "lamp", light.name, report, _Spectra())
     light[MADE] = before
 
 
@@ -220,7 +221,9 @@ def _convert_ours(users: Iterable[bpy.types.NodeTree], report: Report) -> None:
                 films.convert(group, report)
 
 
-def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Report) -> None:
+def _convert_tree(
+    tree: bpy.types.NodeTree, kind: str, owner: str, report: Report, spectra: _Spectra
+) -> None:
     if films.is_banded(tree):
         return
     for node in list(tree.nodes):
@@ -232,12 +235,13 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
                 report.remarks.append(Remark(kind, owner, f"{node.name}: {what}"))
         if node.type == "SCRIPT" and any(output.type == "SHADER" for output in node.outputs):
             report.remarks.append(Remark(kind, owner, f"{node.name}: a shader in OSL; stays RGB"))
+        spectra.join_group(tree, node, report)
         for name, role in roles(node).items():
             socket = node.inputs.get(name)
             if socket is None or not _is_needed(node, socket, role):
                 continue
-            if _carries_bands(socket):
-                _join(tree, socket, role, Remark(kind, owner, ""), report)
+            if spectra.arrive(tree, socket):
+                spectra.join(tree, socket, role, report, Remark(kind, owner, ""))
                 continue
             if socket.is_linked and socket.links[0].from_node.type in _OF_RGB:
                 what = _OF_RGB[socket.links[0].from_node.type]
@@ -255,41 +259,104 @@ def _convert_tree(tree: bpy.types.NodeTree, kind: str, owner: str, report: Repor
             report.spectra += 1
 
 
-def _carries_bands(socket: bpy.types.NodeSocket) -> bool:
-    """Whether a spectrum is among what nodes compute for it."""
-    for link in socket.links:
-        source = link.from_node
-        group = source.node_tree if source.type == "GROUP" else None
-        if group is not None and is_ours(group):
-            return True
-        if any(_carries_bands(each) for each in source.inputs if each.type in _COLOURS):
-            return True
-    return False
+class _Spectra:
+    """Where spectra go in the nodes of a file, in and out of groups of somebody's own. What meets one gets one
+    too, as far as nodes work by channel."""
 
+    def __init__(self) -> None:
+        self._known: dict[tuple, bool] = {}
+        self._fed: set[tuple[bpy.types.NodeTree, str]] = set()
+        """Inputs of groups that a spectrum comes in by, wherever the group is used."""
+        while self._feed():
+            self._known.clear()
 
-def _join(
-    tree: bpy.types.NodeTree,
-    socket: bpy.types.NodeSocket,
-    role: str,
-    remark: Remark,
-    report: Report,
-) -> None:
-    """Whatever meets a spectrum on its way gets one too, as far as nodes work by channel."""
-    for node in [link.from_node for link in socket.links]:
-        if node.type == "GROUP" and node.node_tree is not None and is_ours(node.node_tree):
-            continue
+    def _feed(self) -> bool:
+        """Whether there are more of them than was known."""
+        before = len(self._fed)
+        for tree in trees():
+            for node in tree.nodes:
+                group = _own_group(node)
+                for socket in node.inputs if group is not None else ():
+                    if socket.type == "RGBA" and self.arrive(tree, socket):
+                        self._fed.add((group, socket.identifier))
+        return len(self._fed) > before
+
+    def arrive(self, tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket) -> bool:
+        """Whether one is among what nodes compute for a socket."""
+        key = (tree, socket.node.name, socket.identifier)
+        if key not in self._known:
+            self._known[key] = any(self._come_by(tree, link) for link in socket.links)
+        return self._known[key]
+
+    def _come_by(self, tree: bpy.types.NodeTree, link: bpy.types.NodeLink) -> bool:
+        node, name = link.from_node, link.from_socket.identifier
+        if _is_our_node(node):
+            return True
+        if node.type == "GROUP_INPUT":
+            return (tree, name) in self._fed
+        group = _own_group(node)
+        if group is not None:
+            inner = _end_of(group, name)
+            return inner is not None and self.arrive(group, inner)
+        return any(self.arrive(tree, each) for each in node.inputs if each.type in _COLOURS)
+
+    def join(
+        self, tree: bpy.types.NodeTree, socket: bpy.types.NodeSocket, role: str, report: Report,
+        remark: Remark,
+    ) -> None:  # fmt: skip
+        for link in list(socket.links):
+            node, group = link.from_node, _own_group(link.from_node)
+            if group is not None:
+                inner = _end_of(group, link.from_socket.identifier)
+                self.join(
+                    group, inner, role, report, replace(remark, kind="node group", name=group.name)
+                )
+            elif not _is_our_node(node) and node.type != "GROUP_INPUT":
+                self._join_at(tree, node, role, report, remark)
+
+    def _join_at(
+        self, tree: bpy.types.NodeTree, node: bpy.types.Node, role: str, report: Report, remark: Remark
+    ) -> None:  # fmt: skip
         if not _works_by_channel(node):
             text = f"{node.name}: takes the spectrum that comes in for RGB"
             report.remarks.append(replace(remark, text=text))
-            continue
+            return
         factor = getattr(node, "blend_type", getattr(node, "operation", "")) in _FACTORS
         meets = REFLECTANCE if factor else role
         for each in [each for each in node.inputs if each.enabled and each.type in _COLOURS]:
-            if _carries_bands(each):
-                _join(tree, each, meets, remark, report)
+            if self.arrive(tree, each):
+                self.join(tree, each, meets, report, remark)
             elif _is_needed(node, each, meets):
                 put_in(tree, each, meets, None)
                 report.spectra += 1
+
+    def join_group(self, tree: bpy.types.NodeTree, node: bpy.types.Node, report: Report) -> None:
+        """A group that takes a spectrum somewhere else takes one here."""
+        group = _own_group(node)
+        for socket in node.inputs if group is not None else ():
+            is_fed = (group, socket.identifier) in self._fed and not self.arrive(tree, socket)
+            if is_fed and _is_needed(node, socket, REFLECTANCE):
+                put_in(tree, socket, REFLECTANCE, None)
+                report.spectra += 1
+
+
+def _is_our_node(node: bpy.types.Node) -> bool:
+    return node.type == "GROUP" and node.node_tree is not None and is_ours(node.node_tree)
+
+
+def _own_group(node: bpy.types.Node) -> bpy.types.NodeTree | None:
+    """Of somebody's own, that can be changed."""
+    group = node.node_tree if node.type == "GROUP" else None
+    is_own = group is not None and not is_ours(group) and group.library is None
+    return group if is_own and not forms.is_material(group) else None
+
+
+def _end_of(group: bpy.types.NodeTree, identifier: str) -> bpy.types.NodeSocket | None:
+    """The socket that an output of the group has its value from."""
+    for node in group.nodes:
+        if node.type == "GROUP_OUTPUT" and node.is_active_output:
+            return next((each for each in node.inputs if each.identifier == identifier), None)
+    return None
 
 
 def _works_by_channel(node: bpy.types.Node) -> bool:

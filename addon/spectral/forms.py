@@ -89,6 +89,11 @@ def forget_former(material: bpy.types.Material) -> None:
         del node[groups.FORMER]
 
 
+def is_material(group: bpy.types.NodeTree) -> bool:
+    """Whether it is one of our materials."""
+    return groups.MATERIAL in group
+
+
 def is_dispersive(group: bpy.types.NodeTree) -> bool:
     """Whether one wavelength at a time goes through it."""
     return group.get(groups.FORM) == BANDS

@@ -134,7 +134,7 @@ class SurfaceColour:
     @property
     def label(self) -> str:
         """The same for no other of the material."""
-        return f"{self.node.label or self.node.name}: {self.socket.name}"
+        return f"{self.node.name}: {self.socket.name}"
 
     @property
     def rgb(self) -> tuple[float, ...]:

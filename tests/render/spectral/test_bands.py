@@ -192,20 +192,28 @@ def test_many_materials_and_back(blender):
 def test_what_meets_a_spectrum_is_one_too(blender):
     """A measured colour times white is that colour, times another the product in each band."""
     file = blender.folder / "mixed.exr"
-    said = blender.call("spectral.scenes.mixed", file=str(file), size=SIZE, samples=64)
+    said = blender.call("spectral.mixed.patches", file=str(file), size=SIZE, samples=64)
     buffer = oiio.ImageBuf(str(file))
     names = buffer.spec().channelnames
     pixels = buffer.get_pixels(oiio.FLOAT)[SIZE // 2, SIZE // 2 :: SIZE]
     bands = pixels[:, [at for at, name in enumerate(names) if name.startswith("S0.")]]
-    alone, times_white, times_colour, colour, _, _ = bands
+    alone, times_white, times_colour, colour, _, into_group, out_of_group, _, _ = bands
     np.testing.assert_allclose(times_white, alone, rtol=1e-3)
     daylight = alone / reflectance_at("colorchecker/blue-sky", wavelengths(names))
     np.testing.assert_allclose(times_colour, alone * colour / daylight, rtol=5e-3)
     rgb = pixels[:, [names.index(channel) for channel in "RGB"]]
     np.testing.assert_allclose(rgb[4], rgb[2], atol=0.02)  # another spectrum of the same colour
-    assert said["remarks"] == ["Hue/Saturation/Value: takes the spectrum that comes in for RGB"]
+    np.testing.assert_allclose(into_group, times_colour, rtol=5e-3)
+    np.testing.assert_allclose(out_of_group, times_colour, rtol=5e-3)
+    product = np.array([0.9, 0.9, 0.3]) * [0.7, 0.3, 0.1]
+    np.testing.assert_allclose(rgb[7] / rgb[3], product / [0.7, 0.3, 0.1], atol=0.15)
+    (where, what), *more = said["remarks"]
+    assert not more
+    assert where.startswith("material ")
+    assert what == "Hue/Saturation/Value: takes the spectrum that comes in for RGB"
     assert said["spectra"] == [said["removed"], 0]
-    assert said["removed"] == 4  # the sky, a colour twice, and a picture
+    # The sky, colours in a material and two groups, one that goes into a group, alone, and a picture.
+    assert said["removed"] == 7
 
 
 def wavelengths(names):

@@ -38,7 +38,7 @@ def seen_from_above(scene: bpy.types.Scene, columns: int, rows: int, size: int) 
     scene.render.filter_size = 0.01
 
 
-def _spectrum_node(tree: bpy.types.NodeTree, name: str) -> bpy.types.NodeSocket:
+def spectrum_node(tree: bpy.types.NodeTree, name: str) -> bpy.types.NodeSocket:
     node = tree.nodes.new("ShaderNodeGroup")
     described = extension.module("spectral.described").Described
     node.node_tree = extension.module("spectral.groups").spectrum_group(described.named(name))
@@ -60,7 +60,7 @@ def chart(
             both = tree.nodes.new("ShaderNodeVectorMath")
             both.operation = "MULTIPLY"
             for socket, name in zip(both.inputs, (light, reflectance), strict=False):
-                tree.links.new(_spectrum_node(tree, name), socket)
+                tree.links.new(spectrum_node(tree, name), socket)
             emission = tree.nodes.new("ShaderNodeEmission")
             out = tree.nodes.new("ShaderNodeOutputMaterial")
             tree.links.new(both.outputs[0], emission.inputs["Color"])
@@ -140,7 +140,7 @@ def matt(reflectance: str) -> bpy.types.Material:
     out = tree.nodes.new("ShaderNodeOutputMaterial")
     tree.links.new(diffuse.outputs[0], out.inputs["Surface"])
     if reflectance:
-        tree.links.new(_spectrum_node(tree, reflectance), diffuse.inputs["Color"])
+        tree.links.new(spectrum_node(tree, reflectance), diffuse.inputs["Color"])
     return material
 
 
@@ -410,65 +410,6 @@ def many(*, folder: str, count: int, samples: int) -> dict:
         **said,
         "spectra": report.spectra,
         "removed": removed,
-        "remarks": [remark.text for remark in report.remarks],
-    }
-
-
-def mixed(*, file: str, size: int, samples: int) -> dict:
-    """Patches that glow under an even sky: of a reflectance, of that times white, of it times a colour that is
-    set, of that colour alone, of it times a picture of that colour, and what no node can do by channel."""
-    scene = empty_scene()
-    reflectance, colour = "colorchecker/blue-sky", (0.7, 0.3, 0.1, 1.0)
-    picture = bpy.data.images.new("plain", 1, 1, float_buffer=True, is_data=True)
-    picture.pixels.foreach_set(colour)
-    picture.pack()
-
-    def times(second: tuple | str) -> bpy.types.Material:
-        material = matt(reflectance)
-        tree = material.node_tree
-        diffuse = next(node for node in tree.nodes if node.type == "BSDF_DIFFUSE")
-        source = diffuse.inputs["Color"].links[0].from_socket
-        if second == "hue":
-            node = tree.nodes.new("ShaderNodeHueSaturation")
-            tree.links.new(source, node.inputs["Color"])
-            tree.links.new(node.outputs["Color"], diffuse.inputs["Color"])
-            return material
-        node = tree.nodes.new("ShaderNodeMix")
-        node.data_type, node.blend_type = "RGBA", "MULTIPLY"
-        factor, a, b = (socket for socket in node.inputs if socket.enabled)
-        factor.default_value = 1.0
-        tree.links.new(source, a)
-        if second == "picture":
-            texture = tree.nodes.new("ShaderNodeTexImage")
-            texture.image = picture
-            tree.links.new(texture.outputs["Color"], b)
-        else:
-            b.default_value = second
-        output = next(socket for socket in node.outputs if socket.enabled)
-        tree.links.new(output, diffuse.inputs["Color"])
-        return material
-
-    plain = matt("")
-    plain.node_tree.nodes["Diffuse BSDF"].inputs["Color"].default_value = colour
-    materials = [
-        matt(reflectance),
-        times((1.0, 1.0, 1.0, 1.0)),
-        times(colour),
-        plain,
-        times("picture"),
-    ]
-    for column, material in enumerate([*materials, times("hue")]):
-        patch(scene, column, 0, material)
-    scene.world = bpy.data.worlds.new("world")
-    scene.world.use_nodes = True
-    seen_from_above(scene, len(materials) + 1, 1, size)
-    report = extension.module("spectral.convert").make_spectral()
-    again = extension.module("spectral.convert").make_spectral()
-    said = rendered(scene, file, samples, 8)
-    return {
-        **said,
-        "spectra": [report.spectra, again.spectra],
-        "removed": extension.module("spectral.convert").make_rgb(),
         "remarks": [remark.text for remark in report.remarks],
     }
 
