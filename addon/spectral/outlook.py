@@ -31,8 +31,8 @@ def look(scene: bpy.types.Scene) -> None:
         return
     _said[:] = [f"{len(plan.bands)} bands in {plan.passes} passes"]
     choice = plan.choice
-    _said.append(f"mean error ΔE00 {choice.error.mean:.2f}, at most {choice.error.max:.2f}")
+    _said.append(f"ΔE00 {choice.error.mean:.2f}, at most {choice.error.max:.2f}")
     if choice.held == "films":
-        _said.append(f"{choice.film_error:.2f} where films are thick")
+        _said.append(f"thick films ΔE00 {choice.film_error:.2f}")
     if plan.disperses:
-        _said.append(f"steps of {choice.step_px:.1f} pixels in glass that disperses")
+        _said.append(f"glass in steps of {choice.step_px:.1f} px")

@@ -64,9 +64,11 @@ def _draw_surfaces(layout, item) -> None:
     if not colours:
         return
     column = layout.column(align=True)
+    names = [colour.socket.name for colour in colours]
     for colour in colours[:_MOST_COLOURS]:
         split = column.split(factor=0.45)
-        split.label(text=colour.label, icon="MATERIAL")
+        is_only = names.count(colour.socket.name) == 1
+        split.label(text=colour.socket.name if is_only else colour.label, icon="MATERIAL")
         row = split.row(align=True)
         row.enabled = material.is_editable
         row.operator_context = "INVOKE_DEFAULT"
