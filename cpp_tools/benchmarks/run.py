@@ -36,6 +36,7 @@ SPECTRAL_SHARES = {
     "bands": {"luminance": 1.08, "chroma": 1.35, "seconds": 1.12},
     "paths": {"chroma": 2.8, "seconds": 1.3},
 }
+PASS_SHARE = 2.0
 SPECTRAL_WHAT = {
     "luminance": "noise of Y",
     "chroma": "noise of a* and b*",
@@ -77,20 +78,59 @@ def in_each_blender(script: str) -> list[dict]:
     return measured
 
 
+def in_mitsuba() -> dict:
+    """By its faster variant where that runs; it needs a libLLVM that it knows."""
+    for variant in ("llvm_ad_spectral", "scalar_spectral"):
+        done = subprocess.run(
+            [sys.executable, HERE / "mitsuba_box.py", "--variant", variant],
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+        lines = [line for line in done.stdout.splitlines() if line.startswith("RESULT ")]
+        if lines:
+            return {**json.loads(lines[-1].removeprefix("RESULT ")), "variant": variant}
+    raise SystemExit(f"mitsuba_box.py failed:\n{done.stdout[-2000:]}{done.stderr[-4000:]}")
+
+
 def spectral() -> list[Result]:
-    return [
+    in_blender, peer = in_each_blender("render_spectral.py"), in_mitsuba()
+    return [result for found in in_blender for result in _spectral(found, peer)]
+
+
+def _spectral(found: dict, mitsuba: dict) -> list[Result]:
+    version, many = found["blender"][:3], found["many"]
+    beside_rgb = [
         Result(
-            id=f"spectral-{mode}-{name}-{found['blender'][:3]}",
+            id=f"spectral-{mode}-{name}-{version}",
             what=f"{SPECTRAL_WHAT[name]} of a Cornell box by {mode} beside RGB, 96 samples each",
             ours=found["measured"][mode][name],
             peer=found["measured"]["rgb"][name],
             peer_version=f"RGB, Blender {found['blender']}",
             target=1 / share,
         )
-        for found in in_each_blender("render_spectral.py")
         for mode, shares in SPECTRAL_SHARES.items()
         for name, share in shares.items()
     ]
+    of_both = (found["measured"]["bands"], mitsuba["measured"])
+    beside_mitsuba = [
+        Result(
+            id=f"spectral-mitsuba-{name}-{version}",
+            what=f"{SPECTRAL_WHAT[name]} of a Cornell box, times the root of the CPU seconds",
+            ours=of_both[0][name] * of_both[0]["seconds"] ** 0.5,
+            peer=of_both[1][name] * of_both[1]["seconds"] ** 0.5,
+            peer_version=f"{mitsuba['version']}, {mitsuba['variant']}",
+            target=1.0,
+        )
+        for name in ("luminance", "chroma")
+    ]
+    a_pass = Result(
+        id=f"spectral-pass-{version}",
+        what="a pass of 1 M triangles beside a render in which nothing changed, seconds",
+        ours=many["pass"],
+        peer=many["same"],
+        peer_version=f"Blender {found['blender']}",
+        target=1 / PASS_SHARE,
+    )
+    return [*beside_rgb, *beside_mitsuba, a_pass]
 
 
 def render() -> list[Result]:
