@@ -34,6 +34,7 @@ PARTS = (
         "give_light",
         "give_reflectance",
         "read_spectra",
+        "look_at_bands",
         "render_spectral",
         "make_rgb",
     ),
