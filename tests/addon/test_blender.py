@@ -118,6 +118,10 @@ def test_surfaces_of_a_spectral_file(blender, tmp_path):
     blender.script("spectral/surfaces", tmp_path)
 
 
+def test_what_paths_draw(blender):
+    blender.script("spectral/draws")
+
+
 def test_films_and_keyframes_in_a_spectral_file(blender, tmp_path):
     blender = blender.with_materials("oil_on_water", "tempered_steel")
     blender.script("spectral/films", tmp_path)

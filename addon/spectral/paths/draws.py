@@ -20,8 +20,7 @@ MASKS = ("mask of X", "mask of Y", "mask of Z")
 @dataclass(frozen=True)
 class Draws:
     """bands: int (COUNT, 3), of X, Y and Z, each with a density of its own from the same number, so that what is
-    grey is hardly coloured; weights: float (COUNT, 3), what the light of that
-    band counts for."""
+    grey is hardly coloured; weights: float (COUNT, 3), what the light of that band counts for."""
 
     plan: Plan
     bands: np.ndarray
@@ -56,14 +55,21 @@ def draws(plan: Plan) -> Draws:
     lights = [plan.values[name] / plan.white for name in plan.lights]
     power = np.mean(lights, axis=0) if lights else np.ones(len(mass))
     bands, weights = np.empty((COUNT, 3), int), np.empty((COUNT, 3))
+    every, is_line = np.arange(len(mass)), plan.bands.is_line
     for channel in range(3):
         density = mass[:, channel] * power
         ends = np.rint(COUNT * np.cumsum(density) / density.sum()).astype(int)
         counts = np.diff(ends, prepend=0)
-        drawn = counts > 0  # what has hardly any part is left out, and the others make up for it
-        made_up = density.sum() / density[drawn].sum()
-        of_each = np.zeros(len(mass))
-        of_each[drawn] = mass[drawn, channel] * made_up * COUNT / counts[drawn]
-        bands[:, channel] = np.repeat(np.arange(len(mass)), counts)
-        weights[:, channel] = np.repeat(of_each, counts)
+        forgotten = is_line & (counts == 0) & (density > 0.0)
+        counts[forgotten] = 1
+        counts[counts.argmax()] -= forgotten.sum()
+        # What else has hardly any part is left out, and the nearest that is not stands for it.
+        drawn = np.flatnonzero((counts > 0) & ~is_line)
+        nearest = every
+        if drawn.size > 0:  # not where all lights are lines
+            near = drawn[np.abs(drawn - every[:, None]).argmin(axis=1)]
+            nearest = np.where(is_line, every, near)
+        stands_for = np.bincount(nearest, mass[:, channel], len(mass))
+        bands[:, channel] = np.repeat(every, counts)
+        weights[:, channel] = COUNT * np.repeat(stands_for / np.maximum(counts, 1), counts)
     return Draws(plan, bands, weights)

@@ -14,7 +14,7 @@ from ...blender.formula import Formula
 from ...materials.image import image_of_texels
 from ...materials.script import fill_with_source
 from .. import films
-from ..attributes import IS_SPECTRAL, PASS
+from ..attributes import PASS
 from ..marks import BANDED, is_ours
 from .draws import MASKS, Draws
 
@@ -47,7 +47,8 @@ def in_place(scene: bpy.types.Scene, draws: Draws) -> Iterator[None]:
     kept = []
     try:
         for tree in [group for group in bpy.data.node_groups if is_ours(group) and group.users]:
-            kept.append((tree, set(tree.nodes), _relinked(tree, names, image, folds)))
+            kept.append((tree, set(tree.nodes), _links_of_passes(tree, names)))
+            _relink(tree, kept[-1][2], names, image, folds)
         yield
     finally:
         for tree, before, links in kept:
@@ -58,19 +59,31 @@ def in_place(scene: bpy.types.Scene, draws: Draws) -> Iterator[None]:
         bpy.data.images.remove(image)
 
 
-def _relinked(
-    tree: bpy.types.NodeTree, names: list[str], image: bpy.types.Image, folds: int
-) -> list[tuple[bpy.types.NodeSocket, bpy.types.NodeSocket]]:
-    """Returns the links that were there."""
-    attributes = [
-        node
+Link = tuple[bpy.types.NodeSocket, bpy.types.NodeSocket]
+
+
+def _links_of_passes(tree: bpy.types.NodeTree, names: list[str]) -> list[Link]:
+    """From what is read of a pass to what takes it."""
+    if BANDED in tree:
+        return films.links_of_table(tree)
+    return [
+        (link.from_socket, link.to_socket)
         for node in tree.nodes
-        if node.type == "ATTRIBUTE"
-        and node.attribute_name in names
-        and node.attribute_name != IS_SPECTRAL
+        if node.type == "ATTRIBUTE" and node.attribute_name in names
+        for output in node.outputs
+        for link in output.links
     ]
-    if not attributes:
-        return []
+
+
+def _relink(
+    tree: bpy.types.NodeTree,
+    links: list[Link],
+    names: list[str],
+    image: bpy.types.Image,
+    folds: int,
+) -> None:
+    if not links:
+        return
     formula = Formula(tree)
     number = formula.node("ShaderNodeScript")
     fill_with_source(number, "nacre_path_number", _SOURCE)
@@ -85,20 +98,12 @@ def _relinked(
         formula.put(place.outputs[0], texture.inputs["Vector"])
         return texture.outputs["Color"]
 
-    links = [
-        (link.from_socket, link.to_socket)
-        for node in attributes
-        for output in node.outputs
-        for link in output.links
-    ]
     if BANDED in tree:
         parts = formula.node("ShaderNodeSeparateXYZ")
         formula.put(row(PASS), parts.inputs[0])
         found = films.read_by_channel(tree, parts.outputs, [row(name) for name in MASKS])
-        links = films.links_of_table(tree)
         for _, target in links:
             tree.links.new(found, target)
-        return links
+        return
     for source, target in links:
         tree.links.new(row(source.node.attribute_name), target)
-    return links
