@@ -48,7 +48,7 @@ def test_chart_has_the_colours_that_it_should(chart, light, record_property):
 
 def test_white_glass_stays_white(blender):
     """As bright as in RGB, whichever of X, Y and Z a path takes through it."""
-    folder = blender.folder / "white"
+    folder = blender.folder / "white_by_paths"
     folder.mkdir()
     blender.call(
         "spectral.scenes.films",
