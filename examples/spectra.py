@@ -9,7 +9,7 @@ import tempfile
 from pathlib import Path
 
 import bpy
-from staging import bump, mesh_object, plain_material
+from staging import bump, mesh_object, plain_material, ring_faces
 
 
 def measured(
@@ -68,13 +68,7 @@ def table_cloth(radius: float, height: float, *, folds: int, flare: float) -> bp
             wave = 0.5 + 0.5 * math.sin(phase)
             reach = r + flare * share**0.7 * (0.25 + wave**1.4 + 0.2 * math.sin(2.0 * angle))
             vertices.append((reach * math.cos(angle), reach * math.sin(angle), height + drop))
-    faces = [(0, 1 + i, 1 + (i + 1) % segments) for i in range(segments)]
-    for ring in range(len(profile) - 1):
-        a, b = 1 + ring * segments, 1 + (ring + 1) * segments
-        for i in range(segments):
-            j = (i + 1) % segments
-            faces.append((a + i, b + i, b + j, a + j))
-    return mesh_object("Table Cloth", vertices, faces)
+    return mesh_object("Table Cloth", vertices, ring_faces(len(profile), segments))
 
 
 def curtain(width: float, height: float, *, pleats: float, depth: float) -> bpy.types.Object:

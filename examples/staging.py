@@ -124,6 +124,17 @@ def backdrop(colour: tuple[float, float, float], *, roughness: float = 0.5, dept
     return obj
 
 
+def ring_faces(rings: int, segments: int) -> list[tuple[int, ...]]:
+    """Of a point in the middle, the first vertex, and rings around it."""
+    faces: list[tuple[int, ...]] = [(0, 1 + i, 1 + (i + 1) % segments) for i in range(segments)]
+    for ring in range(rings - 1):
+        a, b = 1 + ring * segments, 1 + (ring + 1) * segments
+        for i in range(segments):
+            j = (i + 1) % segments
+            faces.append((a + i, b + i, b + j, a + j))
+    return faces
+
+
 def mesh_object(name: str, vertices, faces, *, smooth: bool = True) -> bpy.types.Object:
     mesh = bpy.data.meshes.new(name)
     mesh.from_pydata(vertices, [], faces)

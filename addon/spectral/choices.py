@@ -13,6 +13,7 @@ import numpy as np
 from bpy.props import EnumProperty, StringProperty
 
 from ..blender.space import of_file
+from ..core.space import Matrix
 from ..materials.guard import must_be_local, reports_errors
 from . import outlook
 from .described import EMISSION, FILES, REFLECTANCE, Described, SpectrumError, read
@@ -62,7 +63,7 @@ _shown: dict[str, list[Item]] = {}
 def forget() -> None:
     for of_kind in _of_files.values():
         of_kind.clear()
-    for cached in (_known_lights, _of_library):
+    for cached in (_known_lights, _of_library, _lab_of):
         cached.cache_clear()
 
 
@@ -99,7 +100,9 @@ def _reflectances(self, _context) -> list[Item]:
     known = _of_library(REFLECTANCE)
     if colour is not None:
         wanted = _lab(colour.rgb)
-        distance = {item[0]: float(np.linalg.norm(_lab_of(item[0]) - wanted)) for item in known}
+        space = of_file()
+        colours = {item[0]: _lab_of(item[0], space) for item in known}
+        distance = {key: float(np.linalg.norm(lab - wanted)) for key, lab in colours.items()}
         known = [
             (key, f"{name}  ΔE {distance[key]:.0f}", words)
             for key, name, words in sorted(known, key=lambda item: distance[item[0]])
@@ -108,7 +111,9 @@ def _reflectances(self, _context) -> list[Item]:
     return _shown[REFLECTANCE]
 
 
-def _lab_of(key: str) -> np.ndarray:
+@cache
+def _lab_of(key: str, _space: Matrix) -> np.ndarray:
+    """In the file's space; Blender asks for a list again and again while it is open."""
     from .groups import rgb_of
 
     return _lab(rgb_of(Described.named(key)))

@@ -17,14 +17,8 @@ import time
 import mitsuba as mi
 import numpy as np
 from noise import noise
+from room import ROOM
 
-ROOM = {
-    "white": (0.73, 0.73, 0.73),
-    "red": (0.6, 0.06, 0.05),
-    "green": (0.1, 0.4, 0.12),
-    "yellow": (0.75, 0.6, 0.05),
-    "blue": (0.05, 0.08, 0.4),
-}
 HALF_WIDTH = 1.33
 
 

@@ -20,14 +20,8 @@ import bpy
 import numpy as np
 from in_blender import extension, load_extension
 from noise import noise
+from room import ROOM
 
-ROOM = {
-    "white": (0.73, 0.73, 0.73),
-    "red": (0.6, 0.06, 0.05),
-    "green": (0.1, 0.4, 0.12),
-    "yellow": (0.75, 0.6, 0.05),
-    "blue": (0.05, 0.08, 0.4),
-}
 SAMPLES, MANY, PASSES = 96, 2048, 8
 
 

@@ -16,6 +16,7 @@ from staging import (
     mesh_object,
     new_scene,
     plain_material,
+    ring_faces,
     save,
     thickness_field,
     wave_material,
@@ -34,13 +35,7 @@ def film(radius: float) -> bpy.types.Object:
             angle = math.tau * step / segments
             r = radius * share
             vertices.append((r * math.cos(angle), -bulge * (1.0 - share**2), r * math.sin(angle)))
-    faces = [(0, 1 + i, 1 + (i + 1) % segments) for i in range(segments)]
-    for ring in range(rings - 1):
-        a, b = 1 + ring * segments, 1 + (ring + 1) * segments
-        for i in range(segments):
-            j = (i + 1) % segments
-            faces.append((a + i, b + i, b + j, a + j))
-    return mesh_object("Film", vertices, faces)
+    return mesh_object("Film", vertices, ring_faces(rings, segments))
 
 
 def stand(radius: float) -> None:

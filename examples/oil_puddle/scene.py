@@ -15,6 +15,7 @@ from staging import (
     mesh_object,
     new_scene,
     plain_material,
+    ring_faces,
     save,
     thickness_field,
     wave_material,
@@ -32,13 +33,7 @@ def puddle() -> bpy.types.Object:
             reach = 1.9 + 0.9 * noise.noise(direction * 1.3) + 0.25 * noise.noise(direction * 4.0)
             point = direction * reach * ring / rings
             vertices.append((1.5 * point.x, point.y, 0.012))
-    faces = [(0, 1 + i, 1 + (i + 1) % segments) for i in range(segments)]
-    for ring in range(rings - 1):
-        a, b = 1 + ring * segments, 1 + (ring + 1) * segments
-        for i in range(segments):
-            j = (i + 1) % segments
-            faces.append((a + i, b + i, b + j, a + j))
-    return mesh_object("Puddle", vertices, faces)
+    return mesh_object("Puddle", vertices, ring_faces(rings, segments))
 
 
 def asphalt() -> None:

@@ -31,19 +31,24 @@ def render_picture(
     extension.module("blender.output").Writer(scene).save(Path(file))
 
 
+def of_one_shader(name: str, kind: str) -> tuple[bpy.types.Material, bpy.types.Node]:
+    """A material and its only shader."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    shader, out = tree.nodes.new(kind), tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(shader.outputs[0], out.inputs["Surface"])
+    return material, shader
+
+
 def wall(*, file: str) -> None:
     """A file with a matt green wall that fills the picture, under an even sky."""
     scene = empty_scene()
     mesh = bpy.data.meshes.new("wall")
     mesh.from_pydata([(-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0)], [], [(0, 1, 2, 3)])
-    material = bpy.data.materials.new("Wall")
-    material.use_nodes = True
-    tree = material.node_tree
-    tree.nodes.clear()
-    diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
+    material, diffuse = of_one_shader("Wall", "ShaderNodeBsdfDiffuse")
     diffuse.inputs["Color"].default_value = (0.2, 0.6, 0.2, 1.0)
-    out = tree.nodes.new("ShaderNodeOutputMaterial")
-    tree.links.new(diffuse.outputs[0], out.inputs["Surface"])
     mesh.materials.append(material)
     scene.collection.objects.link(bpy.data.objects.new("wall", mesh))
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))

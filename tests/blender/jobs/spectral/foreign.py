@@ -10,7 +10,7 @@ import bpy
 from mathutils import Vector
 
 from .. import extension
-from ..pictures import empty_scene, render_picture
+from ..pictures import empty_scene, of_one_shader, render_picture
 from .scenes import rendered
 
 
@@ -66,14 +66,8 @@ def _hair(name: str) -> bpy.types.Scene:
     with bpy.data.libraries.load(str(file)) as (_, wanted):
         wanted.node_groups = [name]
     hair.modifiers.new(name, "NODES").node_group = wanted.node_groups[0]
-    material = bpy.data.materials.new("hair")
-    material.use_nodes = True
-    tree = material.node_tree
-    tree.nodes.clear()
-    shader = tree.nodes.new("ShaderNodeBsdfHairPrincipled")
+    material, shader = of_one_shader("hair", "ShaderNodeBsdfHairPrincipled")
     shader.inputs["Color"].default_value = (0.5, 0.2, 0.05, 1.0)
-    out = tree.nodes.new("ShaderNodeOutputMaterial")
-    tree.links.new(shader.outputs[0], out.inputs["Surface"])
     hair.data.materials.append(material)
     return scene
 

@@ -15,7 +15,7 @@ from ..eevee import engine as eevee_engine
 from ..furnace import atlas_scene as furnace_atlas
 from ..furnace import film as furnace_film
 from ..furnace import light_by_depth
-from ..pictures import empty_scene, render_picture
+from ..pictures import empty_scene, of_one_shader, render_picture
 
 
 def patch(scene: bpy.types.Scene, column: int, row: int, material: bpy.types.Material) -> None:
@@ -131,14 +131,9 @@ def eevee(
 
 
 def matt(reflectance: str) -> bpy.types.Material:
-    material = bpy.data.materials.new(reflectance or "white")
-    material.use_nodes = True
-    tree = material.node_tree
-    tree.nodes.clear()
-    diffuse = tree.nodes.new("ShaderNodeBsdfDiffuse")
+    material, diffuse = of_one_shader(reflectance or "white", "ShaderNodeBsdfDiffuse")
     diffuse.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
-    out = tree.nodes.new("ShaderNodeOutputMaterial")
-    tree.links.new(diffuse.outputs[0], out.inputs["Surface"])
+    tree = material.node_tree
     if reflectance:
         tree.links.new(spectrum_node(tree, reflectance), diffuse.inputs["Color"])
     return material
