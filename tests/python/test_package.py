@@ -20,7 +20,7 @@ from support.paths import ROOT
 
 
 def public_functions():
-    for module in (nacre, nacre.library, nacre.shapes, nacre.textures):
+    for module in (nacre, nacre.develop, nacre.library, nacre.shapes, nacre.textures):
         for name, value in vars(module).items():
             if not inspect.isfunction(value) or name.startswith("_"):
                 continue

@@ -16,6 +16,7 @@
 #include "nacre/capi/bands.h"
 #include "nacre/capi/base.h"
 #include "nacre/capi/colour.h"
+#include "nacre/capi/develop.h"
 #include "nacre/capi/films.h"
 #include "nacre/capi/gratings.h"
 #include "nacre/capi/library.h"

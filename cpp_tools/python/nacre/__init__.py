@@ -8,7 +8,7 @@ are listed from the ambient down, angles are measured in the ambient, wavelength
 
 from __future__ import annotations
 
-from . import library, shapes, textures
+from . import develop, library, shapes, textures
 from ._bands import (
     BandChoice,
     BandError,
@@ -69,6 +69,7 @@ __all__ = [
     "colour_matching",
     "colour_temperature",
     "compile_template",
+    "develop",
     "film_fringes",
     "film_lut",
     "film_reflectance",

@@ -63,7 +63,7 @@ class BandChoice(NamedTuple):
     met: bool
 
 
-class _LightRecords:
+class LightRecords:
     """What the library reads of some lights, and the arrays behind it, as long as this lives."""
 
     def __init__(self, lights: Sequence[Light]) -> None:
@@ -167,7 +167,7 @@ class Bands:
         NacreError
             An unknown name, negative power, none at all, a line outside 360-830 nm.
         """
-        given = _LightRecords([light])
+        given = LightRecords([light])
         power = np.empty(len(self))
         check(
             lib.nacre_light_in_bands(self.handle, ctypes.byref(given.records[0]), power.ctypes.data)
@@ -194,7 +194,7 @@ class Bands:
         reflectances : float, shape (..., M)
         """
         nm, rows = _rows(wavelength_nm, reflectances, "reflectances")
-        given = _LightRecords([light])
+        given = LightRecords([light])
         mean, largest = ctypes.c_double(), ctypes.c_double()
         check(
             lib.nacre_band_error(
@@ -245,7 +245,7 @@ def bands(count: int, lights: Iterable[Light] = (), observer: str = "cie1931") -
     """
     if not isinstance(count, (int, np.integer)) or isinstance(count, bool) or count < 0:
         raise NacreError(f"count: must be a whole number (got {count!r})")
-    given = _LightRecords(list(lights))
+    given = LightRecords(list(lights))
     handle = c_void_p()
     check(
         lib.nacre_bands_make(
@@ -301,7 +301,7 @@ def choose_bands(
     NacreError
         No light, more lines than the most passes can hold, an error that is not > 0.
     """
-    given = _LightRecords(list(lights))
+    given = LightRecords(list(lights))
     empty = np.empty((0, 1))
     nm, rows = (doubles(wavelength_nm, "wavelength_nm"), empty)
     if reflectances is not None:

@@ -74,6 +74,20 @@ class ColourOptions(Structure):
     ]
 
 
+class Viewer(Structure):
+    _fields_ = [
+        ("observer", c_char_p),
+        ("camera", c_char_p),
+        ("samples", c_size_t),
+        ("wavelength_nm", c_void_p),
+        ("sensitivity", c_void_p),
+        ("raw", c_int),
+        ("white", c_void_p),
+        ("adaptation", c_char_p),
+        ("exposure", c_double),
+    ]
+
+
 class Table(Structure):
     _fields_ = [
         ("name", c_char_p),
@@ -258,6 +272,14 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "nacre_rgb_to_spectrum": (c_int, [c_size_t, c_void_p, c_char_p, c_char_p, c_int, c_void_p,
         c_void_p, c_void_p]),
     "nacre_rgb_basis": (c_int, [c_void_p]),
+    "nacre_bands_of": (c_int, [c_size_t, c_void_p, c_void_p, c_void_p, c_char_p,
+        POINTER(c_void_p)]),
+    "nacre_colours_of_bands": (c_int, [c_void_p, POINTER(Viewer), c_void_p]),
+    "nacre_camera_count": (c_size_t, []),
+    "nacre_camera_key": (c_char_p, [c_size_t]),
+    "nacre_exchange_light": (c_int, [c_void_p, c_void_p, c_char_p, POINTER(Light), c_void_p]),
+    "nacre_metamerism": (c_int, [c_void_p, c_void_p, c_void_p, c_void_p, c_char_p, POINTER(Light),
+        c_void_p, c_void_p]),
     "nacre_result_tables": (c_size_t, [c_void_p]),
     "nacre_result_table": (c_int, [c_void_p, c_size_t, POINTER(Table)]),
     "nacre_result_text": (c_char_p, [c_void_p, c_char_p]),

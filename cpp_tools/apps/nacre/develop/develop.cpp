@@ -15,10 +15,11 @@
 #include "develop/exchange.h"
 #include "develop/regions.h"
 #include "develop/spectral_picture.h"
-#include "develop/view.h"
 #include "files/output.h"
 #include "files/spectrum_input.h"
 #include "library/plot.h"
+#include "nacre/bands/response.h"
+#include "nacre/bands/viewer.h"
 #include "nacre/core/diagnostics.h"
 #include "plot/colours.h"
 #include "shared/session.h"
@@ -27,6 +28,7 @@
 namespace nacre::tool {
 namespace {
 
+using bands::summed;
 using spectral::Vec3;
 
 constexpr const char* kDevelopHelp = R"(
@@ -70,15 +72,15 @@ spectral::Camera camera_from(const std::string& text)
     return camera;
 }
 
-Viewer viewer_from(const DevelopOptions& options, const SpectralPicture& picture,
-                   const Mixture& mixture)
+bands::Viewer viewer_from(const DevelopOptions& options, const SpectralPicture& picture,
+                          const Mixture& mixture)
 {
-    Viewer viewer{.observer = picture.bands.observer,
-                  .camera = {},
-                  .raw = options.raw,
-                  .white = {},
-                  .adaptation = spectral::adaptation_from_name(options.adaptation),
-                  .exposure = options.exposure};
+    bands::Viewer viewer{.observer = picture.bands.observer,
+                         .camera = {},
+                         .raw = options.raw,
+                         .white = {},
+                         .adaptation = spectral::adaptation_from_name(options.adaptation),
+                         .exposure = options.exposure};
     if (!options.observer.empty()) viewer.observer = spectral::observer_from_name(options.observer);
     if (!options.camera.empty()) viewer.camera = camera_from(options.camera);
     if (!options.white.empty())
@@ -86,10 +88,25 @@ Viewer viewer_from(const DevelopOptions& options, const SpectralPicture& picture
     if (!options.white_at.empty()) {
         const Region region = region_from(options.white_at, "--white-at", picture);
         viewer.white = mean_radiance(picture, mixture, region);
-        if (!(picture.bands.xyz(*viewer.white)[1] > 0.0))
-            throw InputError({{}, 0, "--white-at", "is black, which cannot be white"});
     }
     return viewer;
+}
+
+std::vector<Vec3> colours_in(const spectral::ColourSpace& space, const bands::Bands& bands,
+                             const bands::Viewer& viewer, const DevelopOptions& options)
+{
+    try {
+        std::vector<Vec3> colours = colours_of_bands(bands, viewer, kWithoutCat);
+        if (!viewer.raw)
+            for (Vec3& colour : colours) colour = multiply(space.from_xyz_d65, colour);
+        return colours;
+    } catch (const InputError& error) {
+        // Of what was asked for, white alone can be wrong.
+        throw InputError({{},
+                          0,
+                          options.white_at.empty() ? "--white" : "--white-at",
+                          error.diagnostics().front().message});
+    }
 }
 
 /// R, G, B, and A where the picture has it.
@@ -180,8 +197,8 @@ int develop(const Session& session, const DevelopOptions& options)
     const spectral::ColourSpace space = linear_space(resolve_colour_target(options.colour));
     const SpectralPicture picture = read_spectral_picture(options.file);
     const Mixture mixed = mixture(picture, options.lights, options.strengths);
-    const Viewer viewer = viewer_from(options, picture, mixed);
-    const std::vector<Vec3> colours = colours_of_bands(picture.bands, viewer, space);
+    const std::vector<Vec3> colours =
+        colours_in(space, picture.bands, viewer_from(options, picture, mixed), options);
     std::vector<Place> places;
     std::vector<spectral::NamedSpectrum> spectra;
     for (const std::string& text : options.regions) {

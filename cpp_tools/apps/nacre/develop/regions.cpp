@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "library/plot.h"
-#include "nacre/bands/response.h"
+#include "nacre/bands/viewer.h"
 #include "nacre/core/diagnostics.h"
 
 namespace nacre::tool {
@@ -56,26 +56,9 @@ public:
 
     ordered_json of(const Place& a, const Place& b, const std::string& name) const
     {
-        const bands::Light light = bands::named_light(name);
-        const std::vector<double> factors = bands::exchange(*bands_, power_, layer_->light, light);
-        std::vector<double> power = bands::light_in_bands(*bands_, light);
-        const Vec3 white = bands_->xyz(power);
-        const Vec3 relative = {white[0] / white[1], 1.0, white[2] / white[1]};
-        const auto xyz = [&](const Place& place) {
-            std::vector<double> values = place.radiance;
-            for (std::size_t k = 0; k < values.size(); ++k) values[k] *= factors[k];
-            return bands_->xyz(values);
-        };
-        const Vec3 first = xyz(a), second = xyz(b);
-        Vec3 corrected = second;
-        const Vec3 before_a = bands_->xyz(a.radiance), before_b = bands_->xyz(b.radiance);
-        for (std::size_t c = 0; c < 3; ++c)
-            if (before_b[c] > 0.0) corrected[c] *= before_a[c] / before_b[c];
-        const auto difference = [&](const Vec3& other) {
-            return spectral::delta_e_2000(spectral::xyz_to_lab(first, relative),
-                                          spectral::xyz_to_lab(other, relative));
-        };
-        return {{"light", name}, {"dE00", difference(second)}, {"index", difference(corrected)}};
+        const auto [difference, index] = bands::metamerism(*bands_, a.radiance, b.radiance, power_,
+                                                           layer_->light, bands::named_light(name));
+        return {{"light", name}, {"dE00", difference}, {"index", index}};
     }
 
 private:

@@ -1,47 +1,58 @@
 // SPDX-FileCopyrightText: Nacre contributors
 // SPDX-License-Identifier: Apache-2.0
-#include "develop/view.h"
+#include "nacre/bands/viewer.h"
 
 #include <cmath>
+#include <string>
+#include <utility>
 
-#include "colour/target.h"
 #include "nacre/bands/response.h"
 #include "nacre/core/diagnostics.h"
 #include "nacre/library/spectrum_library.h"
 
-namespace nacre::tool {
+namespace nacre::bands {
 namespace {
 
-using bands::Bands;
-using spectral::Mat3;
+using spectral::Mat3, spectral::multiply;
 using spectral::Vec3;
+
+[[noreturn]] void refuse_white(std::string message)
+{
+    throw InputError({.file = {}, .field = "white", .message = std::move(message)});
+}
 
 /// What is white, of Y = 1; D65 where nobody says.
 std::vector<double> white_of(const Viewer& viewer, const Bands& bands)
 {
     std::vector<double> power =
-        viewer.white ? *viewer.white : bands::light_in_bands(bands, bands::named_light("D65"));
+        viewer.white ? *viewer.white : light_in_bands(bands, named_light("D65"));
     const double brightness = bands.xyz(power)[1];
+    if (!(brightness > 0.0)) refuse_white("is black, which cannot be white");
     for (double& value : power) value /= brightness;
     return power;
 }
 
 /// To XYZ relative to D65, with a light as white.
-Mat3 adapted(const Viewer& viewer, const std::vector<double>& light, const Bands& seen)
+Mat3 adapted(const Viewer& viewer, const std::vector<double>& light, const Bands& seen,
+             std::string_view way_out)
 {
     const Mat3 to_d65 = spectral::emission_to_d65(seen.observer);
     Vec3 white = multiply(to_d65, seen.xyz(light));
     const double brightness = white[1];
     for (double& value : white) value /= brightness;
-    return multiply(
-        spectral::adaptation(viewer.adaptation, white, spectral::d65_white(), kWithoutCat), to_d65);
+    try {
+        return multiply(
+            spectral::adaptation(viewer.adaptation, white, spectral::d65_white(), way_out), to_d65);
+    } catch (const InputError& error) {
+        refuse_white(error.diagnostics().front().message);
+    }
 }
 
 /// Of the library, at each band.
 std::vector<std::vector<double>> reflectances(const Bands& bands)
 {
     std::vector<double> nm;
-    for (const bands::Band& band : bands.bands) nm.push_back(band.wavelength_nm);
+    for (const Band& band : bands.bands) nm.push_back(band.wavelength_nm);
     std::vector<std::vector<double>> found;
     for (const std::string& key : spectral::library_spectrum_keys()) {
         const spectral::NamedSpectrum spectrum = spectral::library_spectrum(key);
@@ -75,13 +86,11 @@ Mat3 fitted(const std::vector<Vec3>& from, const std::vector<Vec3>& to, const Ve
 std::vector<Vec3> balanced(const spectral::Camera& camera, const std::vector<double>& white,
                            const Bands& bands)
 {
-    std::vector<Vec3> raw = bands::responses(bands, [&](double nm) { return camera.at(nm); });
+    std::vector<Vec3> raw = responses(bands, [&](double nm) { return camera.at(nm); });
     const Vec3 of_white = summed(white, raw);
     for (std::size_t c = 0; c < 3; ++c) {
         if (!(of_white[c] > 0.0))
-            throw InputError({.file = {},
-                              .field = "--white",
-                              .message = "has no light that every channel of the camera sees"});
+            refuse_white("has no light that every channel of the camera sees");
         for (Vec3& band : raw) band[c] /= of_white[c];
     }
     return raw;
@@ -89,7 +98,7 @@ std::vector<Vec3> balanced(const spectral::Camera& camera, const std::vector<dou
 
 }  // namespace
 
-Vec3 summed(const std::vector<double>& values, const std::vector<Vec3>& colours)
+Vec3 summed(std::span<const double> values, std::span<const Vec3> colours)
 {
     Vec3 sum{};
     for (std::size_t k = 0; k < values.size(); ++k)
@@ -98,12 +107,12 @@ Vec3 summed(const std::vector<double>& values, const std::vector<Vec3>& colours)
 }
 
 std::vector<Vec3> colours_of_bands(const Bands& bands, const Viewer& viewer,
-                                   const spectral::ColourSpace& space)
+                                   std::string_view way_out)
 {
-    const Bands seen = bands::seen_by(bands, viewer.observer);
+    const Bands seen = seen_by(bands, viewer.observer);
     const std::vector<double> white = white_of(viewer, seen);
     std::vector<Vec3> colours;
-    Mat3 to_d65 = viewer.white || viewer.camera ? adapted(viewer, white, seen)
+    Mat3 to_d65 = viewer.white || viewer.camera ? adapted(viewer, white, seen, way_out)
                                                 : spectral::emission_to_d65(seen.observer);
     if (viewer.camera) {
         colours = balanced(*viewer.camera, white, seen);
@@ -115,15 +124,38 @@ std::vector<Vec3> colours_of_bands(const Bands& bands, const Viewer& viewer,
         }
         to_d65 = fitted(from, to, spectral::d65_white());
     } else {
-        for (const bands::Band& band : seen.bands) colours.push_back(band.xyz);
+        for (const Band& band : seen.bands) colours.push_back(band.xyz);
     }
-    const Mat3 matrix = multiply(space.from_xyz_d65, to_d65);
     const double gain = std::pow(2.0, viewer.exposure);
     for (Vec3& colour : colours) {
-        if (!viewer.raw) colour = multiply(matrix, colour);
+        if (!viewer.raw) colour = multiply(to_d65, colour);
         for (double& value : colour) value *= gain;
     }
     return colours;
 }
 
-}  // namespace nacre::tool
+Metamerism metamerism(const Bands& bands, std::span<const double> first,
+                      std::span<const double> second, std::span<const double> power,
+                      std::string_view name, const Light& light)
+{
+    const std::vector<double> factors = exchange(bands, power, name, light);
+    const Vec3 white = bands.xyz(light_in_bands(bands, light));
+    const Vec3 relative = {white[0] / white[1], 1.0, white[2] / white[1]};
+    const auto exchanged = [&](std::span<const double> radiance) {
+        std::vector<double> values(radiance.begin(), radiance.end());
+        for (std::size_t k = 0; k < values.size(); ++k) values[k] *= factors[k];
+        return bands.xyz(values);
+    };
+    const Vec3 one = exchanged(first), other = exchanged(second);
+    const Vec3 one_before = bands.xyz(first), other_before = bands.xyz(second);
+    Vec3 corrected = other;
+    for (std::size_t c = 0; c < 3; ++c)
+        if (other_before[c] > 0.0) corrected[c] *= one_before[c] / other_before[c];
+    const auto difference = [&](const Vec3& to) {
+        return spectral::delta_e_2000(spectral::xyz_to_lab(one, relative),
+                                      spectral::xyz_to_lab(to, relative));
+    };
+    return {.difference = difference(other), .index = difference(corrected)};
+}
+
+}  // namespace nacre::bands
