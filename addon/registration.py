@@ -22,6 +22,7 @@ NAMES = (
     "looks",
     "viewer",
     "spectral",
+    "develop",
     "assets",
     "help",
     "background",

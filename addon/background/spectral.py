@@ -14,6 +14,7 @@ import bpy
 import nacre
 
 from ..blender import denoise, output
+from ..blender.float_image import as_image
 from ..spectral import convert, give, needs, plan, rendering
 from ..spectral.described import EMISSION, REFLECTANCE, Described, SpectrumError
 from ..spectral.marks import WORLD
@@ -87,7 +88,7 @@ class Prepared:
         ):
             bpy.ops.render.render(scene=scene.name)
             found = render.taken(scene, denoise=smooth)
-        image = rendering.as_image(found.rgb, found.alpha, f"{paths[0].name} by paths")
+        image = as_image(found.rgb, found.alpha, f"{paths[0].name} by paths")
         try:
             for path in paths:
                 output.Writer(scene).save(path, image)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import bpy
 
-_AREAS = ("VIEW_3D", "PREFERENCES", "PROPERTIES", "NODE_EDITOR")
+_AREAS = ("VIEW_3D", "PREFERENCES", "PROPERTIES", "NODE_EDITOR", "IMAGE_EDITOR")
 
 
 def redraw_panels(*, with_views: bool = False) -> None:

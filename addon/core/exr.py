@@ -80,17 +80,36 @@ def size_of(path: Path) -> tuple[int, int]:
     return x_max - x_min + 1, y_max - y_min + 1
 
 
-def read_channels(path: Path) -> dict[str, array]:
-    """Values of all channels of all parts by name, row by row from the top. Names are without the
-    view layer in front: `Combined.R`, `nacre_uv.G`."""
+@dataclass(frozen=True)
+class Picture:
+    """Attributes of the first part; values of all channels by name, row by row from the top."""
+
+    width: int
+    height: int
+    attributes: Attributes
+    channels: dict[str, array]
+
+
+def read_picture(path: Path) -> Picture:
+    """Raises ExrError, OSError."""
+    data = path.read_bytes()
     try:
-        file = File.parse(path.read_bytes())
+        file = File.parse(data)
         channels: dict[str, array] = {}
         for part in file.parts:
             channels |= _read_part(file, part)
+        attributes = file.parts[0].attributes
+        x_min, y_min, x_max, y_max = struct.unpack("<4i", attributes["dataWindow"])
     except (struct.error, ValueError, KeyError, IndexError) as error:
         raise ExrError(f"{path}: cannot be read: {error!r}") from error
-    return channels
+    return Picture(x_max - x_min + 1, y_max - y_min + 1, attributes, channels)
+
+
+def read_channels(path: Path) -> dict[str, array]:
+    """Values of all channels. Names are without the view layer in front: `Combined.R`, `nacre_uv.G`.
+    Raises ExrError, OSError."""
+    channels = read_picture(path).channels
+    return {".".join(name.split(".")[-2:]): values for name, values in channels.items()}
 
 
 def _read_part(file: File, part: Part) -> dict[str, array]:
@@ -112,8 +131,7 @@ def _read_part(file: File, part: Part) -> dict[str, array]:
             raise ValueError("chunk of another size")
         for start in range(0, len(data), row):
             found[names[start // row % len(names)]].frombytes(data[start : start + row])
-    full = {f"{layer}.{name}" if file.multi_part else name: v for name, v in found.items()}
-    return {".".join(name.split(".")[-2:]): values for name, values in full.items()}
+    return {f"{layer}.{name}" if file.multi_part else name: v for name, v in found.items()}
 
 
 def _inflated(data: bytes, most: int) -> bytes:

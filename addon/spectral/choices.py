@@ -10,7 +10,7 @@ from pathlib import Path
 
 import bpy
 import numpy as np
-from bpy.props import EnumProperty, StringProperty
+from bpy.props import BoolProperty, EnumProperty, StringProperty
 
 from ..blender.space import of_file
 from ..core.space import Matrix
@@ -63,17 +63,22 @@ _shown: dict[str, list[Item]] = {}
 def forget() -> None:
     for of_kind in _of_files.values():
         of_kind.clear()
-    for cached in (_known_lights, _of_library, _lab_of):
+    for cached in (_shipped_lights, _of_library, _lab_of):
         cached.cache_clear()
 
 
 def _lights(_self, _context) -> list[Item]:
-    _shown[EMISSION] = [_OWN, *_of_files[EMISSION], *_known_lights()]
+    _shown[EMISSION] = [_OWN, *known_lights()]
     return _shown[EMISSION]
 
 
+def known_lights() -> list[Item]:
+    """Those of files first; `Described.named` knows each by its identifier."""
+    return [*_of_files[EMISSION], *_shipped_lights()]
+
+
 @cache
-def _known_lights() -> tuple[Item, ...]:
+def _shipped_lights() -> tuple[Item, ...]:
     return (
         *((name, name, "of the CIE") for name in _CIE),
         *_of_library(EMISSION),
@@ -249,6 +254,11 @@ class NACRE_OT_read_spectra(NeedsLibrary):
     lamp: StringProperty(name="Lamp", description="What to give a light; an object, or World")
     material: StringProperty(name="Material", description="What to give a reflectance")
     colour: StringProperty(name="Colour", description="Node and socket; empty: the first")
+    is_light: BoolProperty(
+        name="Lights",
+        description="Values are light, where the file does not say and nothing is given",
+        default=False,
+    )
 
     def invoke(self, context, _event):
         context.window_manager.fileselect_add(self)
@@ -256,7 +266,7 @@ class NACRE_OT_read_spectra(NeedsLibrary):
 
     @reports_errors
     def execute(self, context):
-        kind = EMISSION if self.lamp else REFLECTANCE if self.material else ""
+        kind = EMISSION if self.lamp or self.is_light else REFLECTANCE if self.material else ""
         path = Path(bpy.path.abspath(self.filepath))
         spectra = read(str(path), kind)
         for spectrum in spectra:

@@ -120,7 +120,8 @@ FILES = (".csv", ".spd", ".spdx", ".cgats", ".ti3", ".sp", ".txt")
 
 
 def read(file: str, kind: str = "") -> list[nacre.library.Spectrum]:
-    """At least one. Raises SpectrumError that names the file and what is wrong in it."""
+    """At least one, and each with a name: that of the file where it says none. Raises SpectrumError that names
+    the file and what is wrong in it."""
     import nacre
 
     try:
@@ -129,7 +130,8 @@ def read(file: str, kind: str = "") -> list[nacre.library.Spectrum]:
         raise SpectrumError(str(error)) from error
     if not spectra:
         raise SpectrumError(f"{file}: has no spectrum")
-    return spectra
+    stem = Path(file).stem
+    return [spectrum._replace(name=spectrum.name or stem) for spectrum in spectra]
 
 
 def _plain(value: Any) -> Any:

@@ -12,6 +12,8 @@ from pathlib import Path
 import bpy
 
 from ..blender import output
+from ..blender.float_image import as_image
+from ..core import spectral_image
 from . import rendering
 from .engines import engine_of
 from .paths import render
@@ -85,7 +87,7 @@ class Job(_Watched):
         found = rendering.rendered(self._passes)
         rgb = rendering.colour_of(found, self.scene, self._samples)
         rendering.write(found, rgb, self.scene, self.path)
-        rendering.as_image(rgb, found.alpha, RESULT)
+        as_image(rgb, found.alpha, RESULT)[spectral_image.FILE] = str(self.path)
         self._passes.end()
 
 
@@ -110,8 +112,9 @@ class PathJob(_Watched):
         self._picture = render.taken(self.scene, denoise=self._denoise)
 
     def write(self) -> None:
-        image = rendering.as_image(self._picture.rgb, self._picture.alpha, RESULT)
+        image = as_image(self._picture.rgb, self._picture.alpha, RESULT)
         output.Writer(self.scene).save(self.path, image)
+        image.pop(spectral_image.FILE, None)
 
 
 def pictures(

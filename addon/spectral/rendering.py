@@ -15,6 +15,7 @@ import numpy as np
 
 from ..blender import output
 from ..blender.denoise import denoised
+from ..blender.float_image import as_image
 from ..blender.space import of_file
 from ..core import exr, spectral_image
 from ..core.whole_file import write_whole
@@ -205,23 +206,6 @@ def write(found: Rendered, rgb: np.ndarray, scene: bpy.types.Scene, path: Path) 
         groups=found.groups,
         lights=lights,
     )
-
-
-def as_image(rgb: np.ndarray, alpha: np.ndarray, name: str) -> bpy.types.Image:
-    """A picture of the file in its linear space; one of that name is filled anew."""
-    height, width = rgb.shape[:2]
-    pixels = np.concatenate([rgb, alpha[..., None]], axis=-1, dtype=np.float32)
-    image = bpy.data.images.get(name)
-    if image is None or tuple(image.size) != (width, height):
-        if image is not None:
-            bpy.data.images.remove(image)
-        image = bpy.data.images.new(
-            name, width, height, alpha=True, float_buffer=True, is_data=False
-        )
-        image.alpha_mode = "PREMUL"
-    image.pixels.foreach_set(np.ascontiguousarray(pixels[::-1]).ravel())
-    image.update()
-    return image
 
 
 def show(found: Rendered, rgb: np.ndarray, scene: bpy.types.Scene, path: Path) -> None:

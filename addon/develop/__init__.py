@@ -1,0 +1,3 @@
+# SPDX-FileCopyrightText: Nacre contributors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Spectral pictures, after they were rendered."""
