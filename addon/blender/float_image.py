@@ -9,7 +9,8 @@ import numpy as np
 
 
 def as_image(rgb: np.ndarray, alpha: np.ndarray, name: str) -> bpy.types.Image:
-    """A picture of the file in its linear space, row 0 on top; one of that name is filled anew."""
+    """A picture of the file in its linear space, row 0 on top, which editors show as they show renders; one
+    of that name is filled anew."""
     height, width = rgb.shape[:2]
     pixels = np.concatenate([rgb, alpha[..., None]], axis=-1, dtype=np.float32)
     image = bpy.data.images.get(name)
@@ -20,6 +21,7 @@ def as_image(rgb: np.ndarray, alpha: np.ndarray, name: str) -> bpy.types.Image:
             name, width, height, alpha=True, float_buffer=True, is_data=False
         )
         image.alpha_mode = "PREMUL"
+        image.use_view_as_render = True
     image.pixels.foreach_set(np.ascontiguousarray(pixels[::-1]).ravel())
     image.update()
     return image

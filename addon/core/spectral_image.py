@@ -86,8 +86,8 @@ class Lamps:
 
 @dataclass(frozen=True)
 class SpectralImage:
-    """layers: float32 (height, width, N) per nm in each band, row 0 on top, that of all light under "", those
-    of light groups under their names; table: None where the file does not say where bands lie."""
+    """layers: float32 (height, width, N) per nm in each band, row 0 on top, first that of all light under "",
+    then those of light groups under their names; table: None where the file does not say where bands lie."""
 
     wavelength_nm: np.ndarray
     table: BandTable | None
@@ -132,7 +132,7 @@ def _read(picture: Picture) -> SpectralImage:
 
     layers = {
         layer: of([_nearest(channels, nm, layer) for nm in wavelengths])
-        for layer, channels in by_layer.items()
+        for layer, channels in sorted(by_layer.items())
     }
     alpha = of(["A"])[..., 0] if "A" in picture.channels else None
     lamps = _lamps_of(picture, layers, len(wavelengths))

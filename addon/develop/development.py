@@ -141,7 +141,9 @@ class SpectralPicture:
         name, light = lamp
         before, factors = self.image.lamps.get(WHOLE), self.factors(wish)
         if before is None or len(factors) > 1:
-            raise DevelopError("The lamps of the picture are of several lights: there is no other")
+            raise DevelopError(
+                "Lamps are of several lights: places are compared where all are of one"
+            )
         power = before.power * factors[WHOLE]
         try:
             return nacre.develop.metamerism(self.bands, first, second, power, light, before.light)

@@ -109,7 +109,7 @@ class NACRE_PT_develop_places(bpy.types.Panel):
             row.operator("nacre.forget_spectrum", text="", icon="X", emboss=False).index = index
             curve = icons.curve(f"spectrum:{index}", place.curve(nm))
             column.template_icon(icon_value=curve, scale=6.0)
-            column.label(text="  ".join(f"{channel:.3g}" for channel in place.rgb))
+            column.label(text="  ".join(f"{channel:.2g}" for channel in place.rgb))
         if len(shown.places) > _MOST_PLACES:
             layout.label(text=f"… and {len(shown.places) - _MOST_PLACES} more")
         if len(shown.places) > 1:
