@@ -193,7 +193,8 @@ def parser() -> argparse.ArgumentParser:
         action="append",
         default=[],
         help="with --spectral: the reflectance of a material's colour, of the library or from a file: "
-        "colorchecker/red, paints.csv#ochre; MATERIAL/COLOUR where it has several; may be repeated",
+        "colorchecker/red, paints.csv#ochre; MATERIAL/COLOUR where it has several; or the metal of a "
+        "Metallic BSDF, Au/Johnson; may be repeated",
     )
     picture.add_argument(
         "--view",

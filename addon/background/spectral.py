@@ -102,7 +102,7 @@ def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
     for text in options.light:
         _give_light(scene, text)
     for text in options.surface:
-        _give_reflectance(text)
+        _give_surface(text)
     made = needs.plan_for(scene, None if options.bands is None else options.bands // 3)
     notes = [f"{remark.where}: {remark.text}" for remark in report.remarks]
     if made.choice is not None and not made.choice.met:
@@ -139,8 +139,8 @@ def _give_light(scene: bpy.types.Scene, text: str) -> None:
         raise UsageError(f"--light: {error}") from error
 
 
-def _give_reflectance(text: str) -> None:
-    """Of `MATERIAL=SPECTRUM`, or `MATERIAL/COLOUR=SPECTRUM` where it has several."""
+def _give_surface(text: str) -> None:
+    """Of `MATERIAL=SPECTRUM`, or `MATERIAL/COLOUR=SPECTRUM` where it has several; of a metal, a medium."""
     name, _, spectrum = text.rpartition("=")
     material = bpy.data.materials.get(name)
     label = ""
@@ -150,6 +150,10 @@ def _give_reflectance(text: str) -> None:
     if material is None:
         known = ", ".join(found.name for found in bpy.data.materials) or "none"
         raise UsageError(f"--surface: no material {name!r}; there are: {known}")
+    metals = [metal for metal in give.metals_of(material) if label in ("", metal.label)]
+    if metals and spectrum in nacre.library.keys("media"):
+        _give_metals(metals, spectrum)
+        return
     colours = give.colours_of(material)
     wanted = [colour for colour in colours if label in ("", colour.label)]
     if not wanted or (len(wanted) > 1 and not label):
@@ -160,5 +164,13 @@ def _give_reflectance(text: str) -> None:
         )
     try:
         wanted[0].give(Described.named(spectrum, REFLECTANCE))
+    except SpectrumError as error:
+        raise UsageError(f"--surface: {error}") from error
+
+
+def _give_metals(metals: list[give.SurfaceMetal], key: str) -> None:
+    try:
+        for metal in metals:
+            metal.give(key)
     except SpectrumError as error:
         raise UsageError(f"--surface: {error}") from error

@@ -63,7 +63,7 @@ _shown: dict[str, list[Item]] = {}
 def forget() -> None:
     for of_kind in _of_files.values():
         of_kind.clear()
-    for cached in (_shipped_lights, _of_library, _lab_of):
+    for cached in (_shipped_lights, _known_metals, _of_library, _lab_of):
         cached.cache_clear()
 
 
@@ -219,13 +219,20 @@ def _colour(operator):
     return next((colour for colour in colours if colour.label == operator.colour), None)
 
 
-def _give_reflectance(operator, context, reflectance: str | None) -> set[str]:
+def _changeable(operator, context) -> bpy.types.Material | None:
+    """What is meant, or None and a report."""
     material = _material(operator, context)
     if material is None:
         operator.report({"ERROR"}, f"There is no material {operator.material}".rstrip())
-        return {"CANCELLED"}
-    if not material.is_editable:
+    elif not material.is_editable:
         operator.report({"ERROR"}, must_be_local(material.name, material.library))
+        return None
+    return material
+
+
+def _give_reflectance(operator, context, reflectance: str | None) -> set[str]:
+    material = _changeable(operator, context)
+    if material is None:
         return {"CANCELLED"}
     colour = _colour(operator)
     if colour is None:
@@ -237,6 +244,62 @@ def _give_reflectance(operator, context, reflectance: str | None) -> set[str]:
     outlook.look(context.scene)
     _say(operator, f"{material.name}, {colour.label},", spectrum)
     return {"FINISHED"}
+
+
+def _metals(_self, _context) -> list[Item]:
+    _shown["metals"] = [
+        (ITS_COLOUR, "As Set", "n and k by channel, as they are set"),
+        *_known_metals(),
+    ]
+    return _shown["metals"]
+
+
+@cache
+def _known_metals() -> tuple[Item, ...]:
+    import nacre
+
+    found = []
+    for key in nacre.library.keys("media"):
+        try:
+            Described.of_metal(key)
+        except SpectrumError:
+            continue
+        found.append((key, nacre.library.medium(key).name, key))
+    return tuple(found)
+
+
+class NACRE_OT_give_metal(_Choice):
+    bl_idname = "nacre.give_metal"
+    bl_label = "Nacre: Metal of a Surface"
+    bl_description = (
+        "Choose the metal of a Metallic BSDF, as a Physical Conductor: n and k at each wavelength"
+    )
+    bl_property = "metal"
+
+    material: StringProperty(name="Material", description="Empty: that of the active object")
+    colour: StringProperty(name="Node", description="As the panel has it; empty: the first")
+    metal: EnumProperty(name="Metal", description="What it is", items=_metals)
+
+    @reports_errors
+    def execute(self, context):
+        from . import give
+
+        material = _changeable(self, context)
+        if material is None:
+            return {"CANCELLED"}
+        found = [each for each in give.metals_of(material) if self.colour in ("", each.label)]
+        if not found:
+            self.report(
+                {"ERROR"},
+                f"The material {material.name} has no Metallic BSDF whose Fresnel is Physical Conductor",
+            )
+            return {"CANCELLED"}
+        key = None if self.metal == ITS_COLOUR else self.metal
+        found[0].give(key)
+        outlook.look(context.scene)
+        what = "as it is set" if key is None else f"{key} now"
+        self.report({"INFO"}, f"{material.name}, {found[0].label}, is {what}.")
+        return {"FINISHED"}
 
 
 class NACRE_OT_read_spectra(NeedsLibrary):
@@ -287,4 +350,9 @@ class NACRE_OT_read_spectra(NeedsLibrary):
         return {"FINISHED"}
 
 
-CLASSES = (NACRE_OT_give_light, NACRE_OT_give_reflectance, NACRE_OT_read_spectra)
+CLASSES = (
+    NACRE_OT_give_light,
+    NACRE_OT_give_reflectance,
+    NACRE_OT_give_metal,
+    NACRE_OT_read_spectra,
+)

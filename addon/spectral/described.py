@@ -15,11 +15,21 @@ from ..core.faults import ForeseenError
 from .attributes import PREFIX
 
 if TYPE_CHECKING:
+    import numpy as np
+
     import nacre
 
 VERSION = 1
 EMISSION, REFLECTANCE = "emission", "reflectance"
-KINDS = (EMISSION, REFLECTANCE)
+CONSTANT = "optical constant"
+"""n or k of a metal."""
+KINDS = (EMISSION, REFLECTANCE, CONSTANT)
+RGB_NM = (612.0, 549.0, 465.0)
+"""Where channels have their values of optical constants: where the primaries of Rec.709 are."""
+
+_LEAST_K = 0.5
+_STEP_NM = 2
+"""Of optical constants in files."""
 
 
 class SpectrumError(ForeseenError):
@@ -71,6 +81,29 @@ class Described:
             for numbers in (spectrum.wavelength_nm, spectrum.values)
         )
         return cls(spectrum.kind, spectrum.name, wavelength_nm=nm, values=values)
+
+    @classmethod
+    def of_metal(cls, key: str) -> tuple[Described, Described]:
+        """n and k of a medium of the library. Raises SpectrumError where it is unknown or lets light through."""
+        import nacre
+
+        try:
+            index = nacre.library.medium(key).index_on_grid()[::_STEP_NM]
+        except nacre.NacreError as error:
+            raise SpectrumError(str(error)) from error
+        if max(index.imag) < _LEAST_K:
+            raise SpectrumError(f"{key} is no metal: it takes up hardly any visible light")
+        nm = tuple(360.0 + _STEP_NM * step for step in range(len(index)))
+        return tuple(
+            cls(CONSTANT, f"{key}, {name}", wavelength_nm=nm, values=tuple(values.tolist()))
+            for name, values in (("n", index.real), ("k", index.imag))
+        )
+
+    def at(self, wavelength_nm: np.ndarray) -> np.ndarray:
+        """Of an optical constant: straight between samples, the nearest one beyond."""
+        import numpy as np
+
+        return np.interp(wavelength_nm, self.wavelength_nm, self.values)
 
     @classmethod
     def parse(cls, text: str) -> Described:

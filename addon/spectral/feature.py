@@ -33,6 +33,7 @@ PARTS = (
         "make_spectral",
         "give_light",
         "give_reflectance",
+        "give_metal",
         "read_spectra",
         "look_at_bands",
         "render_spectral",

@@ -11,10 +11,12 @@ import bpy
 
 from ..blender.space import of_file
 from . import convert
-from .described import EMISSION, REFLECTANCE, Described, SpectrumError
+from .described import CONSTANT, EMISSION, REFLECTANCE, Described, SpectrumError
 from .groups import rgb_of, spectrum_group
 from .marks import BEFORE, LUMINANCE, MADE, SPECTRUM, has_own_colour, is_ours, name_of
 from .report import Report
+from .sockets.insert import new_node, take_out
+from .sockets.roles import roles
 
 _MAIN = ("Base Color", "Color")
 """Of a surface's colours the one that is there always, by the name of its socket."""
@@ -58,7 +60,7 @@ def _emitting(tree: bpy.types.NodeTree | None, kind: str) -> list[bpy.types.Node
 
 def _check(spectrum: Described, kind: str, where: str) -> None:
     if spectrum.kind != kind:
-        words = {EMISSION: "a light", REFLECTANCE: "a reflectance"}
+        words = {EMISSION: "a light", REFLECTANCE: "a reflectance", CONSTANT: "n or k of a metal"}
         raise SpectrumError(
             f"{where}: {spectrum.name} is {words[spectrum.kind]}, not {words[kind]}"
         )
@@ -91,7 +93,7 @@ def _put_in(
     keeps_rgb: bool = False,
 ) -> bpy.types.ShaderNodeGroup:
     _take_out(tree, [socket])
-    node = convert.new_node(tree, socket)
+    node = new_node(tree, socket)
     node.node_tree = spectrum_group(spectrum, keeps_rgb=keeps_rgb)
     node.inputs[BEFORE].default_value = (1.0, 1.0, 1.0, 1.0)
     if socket.is_linked:
@@ -104,7 +106,7 @@ def _take_out(tree: bpy.types.NodeTree | None, sockets: list[bpy.types.NodeSocke
     for socket in sockets:
         for source in [link.from_node for link in socket.links]:
             if MADE in source:
-                convert.take_out(tree, source)
+                take_out(tree, source)
 
 
 def _luminance(socket: bpy.types.NodeSocket, own: Sequence[float] | None) -> float:
@@ -166,6 +168,46 @@ class SurfaceColour:
         _put_in(tree, self.socket, spectrum)
 
 
+@dataclass(frozen=True)
+class SurfaceMetal:
+    """A node that takes the index of a metal: *Metallic BSDF* as a *Physical Conductor*."""
+
+    material: bpy.types.Material
+    node: bpy.types.Node
+
+    @property
+    def label(self) -> str:
+        """The same for no other of the material."""
+        return f"{self.node.name}: n and k"
+
+    @property
+    def metal(self) -> str:
+        """The key of that which it was given, or nothing."""
+        group = _ours(self.node.inputs["IOR"])
+        if group is None or SPECTRUM not in group:
+            return ""
+        return name_of(group).removesuffix(", n")
+
+    def give(self, key: str | None) -> None:
+        """A medium of the library; None: n and k as they are set. Raises SpectrumError."""
+        tree = self.material.node_tree
+        sockets = [self.node.inputs[name] for name in ("IOR", "Extinction")]
+        if key is None:
+            _take_out(tree, sockets)
+            convert.renew(tree)
+            return
+        for socket, constant in zip(sockets, Described.of_metal(key), strict=True):
+            _put_in(tree, socket, constant)
+
+
+def metals_of(material: bpy.types.Material) -> list[SurfaceMetal]:
+    return [
+        SurfaceMetal(material, node)
+        for node in (material.node_tree.nodes if material.node_tree is not None else ())
+        if node.type == "BSDF_METALLIC" and node.fresnel_type == "PHYSICAL_CONDUCTOR"
+    ]
+
+
 def _ours(socket: bpy.types.NodeSocket) -> bpy.types.NodeTree | None:
     """The group that makes a spectrum for it."""
     for link in socket.links:
@@ -179,7 +221,7 @@ def colours_of(material: bpy.types.Material) -> list[SurfaceColour]:
     """Main ones first; tints only where they tint."""
     found = []
     for node in material.node_tree.nodes if material.node_tree is not None else ():
-        for name, role in convert.roles(node).items():
+        for name, role in roles(node).items():
             socket = node.inputs.get(name)
             if socket is None or role != REFLECTANCE or socket.hide or not socket.enabled:
                 continue

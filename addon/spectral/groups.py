@@ -8,15 +8,16 @@ import bpy
 
 from ..blender.formula import Formula, Operand
 from ..blender.space import of_file, state
-from ..core.space import REC709, conversion, conversion_from_xyz, converted
+from ..core.space import REC709, Matrix, conversion, conversion_from_xyz, converted
 from . import attributes
-from .described import DAYLIGHT, EMISSION, Described, SpectrumError
+from .described import CONSTANT, DAYLIGHT, EMISSION, RGB_NM, Described, SpectrumError
 from .marks import BEFORE, KEEPS_RGB, LUMINANCE, SPECTRUM, UPSAMPLING, made_group
 
 REFLECTANCE_OF_COLOUR = "Colour as Spectrum"
 REFLECTANCE_OF_MIXTURE = "Mixed Colour as Spectrum"
 LIGHT_OF_COLOUR = "Light of a Colour"
 LIGHT_OF_MIXTURE = "Mixed Light"
+VALUES_OF_CHANNELS = "Values of Channels"
 
 
 def spectrum_group(spectrum: Described, *, keeps_rgb: bool = False) -> bpy.types.NodeTree:
@@ -49,23 +50,27 @@ def spectrum_group(spectrum: Described, *, keeps_rgb: bool = False) -> bpy.types
 def upsampling_group(name: str) -> bpy.types.NodeTree:
     """*Color* in RGB; a spectrum in bands. Of a colour that is known, by *Coefficients* that were
     computed for it; of one that nodes compute, by three spectra of which it is a mixture. A light is
-    D65 through a filter, of a colour through one of the colour over *Scale*."""
+    D65 through a filter, of a colour through one of the colour over *Scale*. What is no colour, as the
+    index of a metal in three channels, goes from channel to channel along the same three spectra, whose
+    sum is 1."""
     group, is_new = made_group(name, **{UPSAMPLING: name})
     if not is_new:
         return group
     state(group)
-    group.interface.new_socket("Color", in_out="INPUT", socket_type="NodeSocketColor")
+    kind = "NodeSocketVector" if name == VALUES_OF_CHANNELS else "NodeSocketColor"
+    group.interface.new_socket("Color", in_out="INPUT", socket_type=kind)
     if name in (REFLECTANCE_OF_COLOUR, LIGHT_OF_COLOUR):
         group.interface.new_socket("Coefficients", in_out="INPUT", socket_type="NodeSocketVector")
     if name == LIGHT_OF_COLOUR:
         group.interface.new_socket("Scale", in_out="INPUT", socket_type="NodeSocketFloat")
-    group.interface.new_socket("Color", in_out="OUTPUT", socket_type="NodeSocketColor")
+    group.interface.new_socket("Color", in_out="OUTPUT", socket_type=kind)
     formula = Formula(group)
     inputs = formula.node("NodeGroupInput").outputs
     if "Coefficients" in inputs:
         banded = _sigmoid(formula, inputs["Coefficients"])
     else:
-        banded = _mixture(formula, inputs["Color"])
+        matrix = None if name == VALUES_OF_CHANNELS else conversion(of_file(), REC709)
+        banded = _mixture(formula, inputs["Color"], matrix)
     if name in (LIGHT_OF_COLOUR, LIGHT_OF_MIXTURE):
         daylight = attributes.triple(formula, DAYLIGHT.attribute)
         banded = formula.vector("MULTIPLY", banded, daylight)
@@ -98,9 +103,10 @@ def _each(formula: Formula, operation: str, vector: bpy.types.NodeSocket) -> bpy
     return together.outputs[0]
 
 
-def _mixture(formula: Formula, colour: bpy.types.NodeSocket) -> bpy.types.NodeSocket:
-    """r R(λ) + g G(λ) + b B(λ) (I. Mallett, C. Yuksel 2019), of Rec.709."""
-    matrix = conversion(of_file(), REC709)
+def _mixture(
+    formula: Formula, colour: bpy.types.NodeSocket, matrix: Matrix | None
+) -> bpy.types.NodeSocket:
+    """r R(λ) + g G(λ) + b B(λ) (I. Mallett, C. Yuksel 2019), of Rec.709, which `matrix` leads to."""
     if matrix is None:
         parts = formula.node("ShaderNodeSeparateXYZ")
         formula.put(colour, parts.inputs[0])
@@ -144,9 +150,11 @@ def found_spectra() -> dict[str, Described]:
 
 
 def rgb_of(spectrum: Described) -> tuple[float, float, float]:
-    """In the file's space: a reflectance under D65, a light with Y = 1."""
+    """In the file's space: a reflectance under D65, a light with Y = 1. Optical constants by channel."""
     import nacre
 
+    if spectrum.kind == CONSTANT:
+        return tuple(float(value) for value in spectrum.at(RGB_NM))
     if spectrum.kind == EMISSION:
         power = (
             nacre.illuminant(spectrum.light)

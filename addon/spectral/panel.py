@@ -61,9 +61,18 @@ def _draw_surfaces(layout, item) -> None:
 
     material = item.active_material if item is not None else None
     colours = give.colours_of(material) if material is not None else []
-    if not colours:
+    metals = give.metals_of(material) if material is not None else []
+    if not colours and not metals:
         return
     column = layout.column(align=True)
+    for metal in metals:
+        split = column.split(factor=0.45)
+        split.label(text="n and k" if len(metals) == 1 else metal.label, icon="MATERIAL")
+        row = split.row()
+        row.enabled = material.is_editable
+        row.operator_context = "INVOKE_DEFAULT"
+        button = row.operator("nacre.give_metal", text=metal.metal or "As Set")
+        button.material, button.colour = material.name, metal.label
     names = [colour.socket.name for colour in colours]
     for colour in colours[:_MOST_COLOURS]:
         split = column.split(factor=0.45)

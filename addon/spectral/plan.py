@@ -23,7 +23,7 @@ from .attributes import (
     Values,
     polynomial_variable,
 )
-from .described import DAYLIGHT, EMISSION, Described
+from .described import CONSTANT, DAYLIGHT, EMISSION, Described
 
 _EVERY_NM = np.arange(360.0, 831.0)
 _LINE_F_NM, _LINE_C_NM = 486.1327, 656.2725
@@ -78,9 +78,14 @@ class Plan:
 
     def indices(self, number: int) -> tuple[int, int, int]:
         """Bands of a pass, far from each other: colour noise of neighbours adds up, of others it
-        cancels out."""
+        cancels out. A long wave is in the red channel, a short one in the blue, so that what stays RGB
+        looks much as in RGB."""
         first = self.triple(number)
-        return first, first + self.triples, first + 2 * self.triples
+        return first + 2 * self.triples, first + self.triples, first
+
+    def channels(self, bands: np.ndarray) -> np.ndarray:
+        """Which channel of its pass each band is in: the inverse of `indices`."""
+        return 2 - bands // self.triples
 
     def properties(self, number: int, live: float = 3.0) -> Values:
         """What nodes are told in this pass; `live`: see engines."""
@@ -157,4 +162,6 @@ def in_bands(bands: nacre.Bands, spectrum: Described) -> np.ndarray:
     if spectrum.kind == EMISSION:
         power = bands.in_bands(spectrum.as_light)
         return power / bands.xyz(power)[1]
+    if spectrum.kind == CONSTANT:
+        return spectrum.at(bands.wavelength_nm)
     return nacre.shapes.total(nacre.shapes.Scaled(spectrum.as_spectrum), bands.wavelength_nm)

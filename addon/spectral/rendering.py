@@ -104,6 +104,7 @@ def beside(
         "values": {
             name: [float(value) for value in of_all] for name, of_all in plan.values.items()
         },
+        "first_pass": plan.indices(0),
         "films": films.digest(),
         "disperses": plan.disperses,
         "groups": groups,

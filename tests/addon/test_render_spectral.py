@@ -13,6 +13,7 @@ import numpy as np
 import OpenImageIO as oiio
 import pytest
 
+from nacre import library
 from support.images import read_all, read_image
 from support.paths import DRIVER, FIXTURES
 
@@ -84,6 +85,33 @@ def test_a_lamp_can_be_any_light(blender45, tmp_path):
     assert daylight[2] > 0.2
     assert sodium[0] > 2 * sodium[1]
     assert sodium[2] < 0.0
+
+
+def test_a_metal_is_what_it_is_given(blender45, tmp_path):
+    scene = tmp_path / "wall.blend"
+    blender45.call("pictures.wall", file=str(scene), of_metal=True)
+    metals, found = ("Au/Johnson", "Ag/Johnson"), []
+    for metal in metals:
+        done = blender45.render(
+            "--blend", scene, "--size", "8x8", "--samples", "8", "--spectral", "--bands", "24",
+            "--surface", f"Wall={metal}", "-o", tmp_path / "wall.exr",
+        )  # fmt: skip
+        assert done.returncode == 0, done.stderr
+        channels = channels_of(tmp_path / "wall.exr")
+        bands = {name: values[4, 4] for name, values in channels.items() if name.startswith("S0.")}
+        found.append(np.array(list(bands.values())))
+    at = [float(name[3:-2].replace(",", ".")) for name in bands]
+    gold, silver = (
+        np.interp(at, np.arange(360, 831), library.medium(metal).index_on_grid())
+        for metal in metals
+    )
+    expected = (np.abs((gold - 1) / (gold + 1)) / np.abs((silver - 1) / (silver + 1))) ** 2
+    np.testing.assert_allclose(found[0] / found[1], expected, rtol=5e-3)
+    done = blender45.render(
+        "--blend", scene, "--spectral", "--surface", "Wall=SiO2/Malitson", "-o", tmp_path / "x.exr"
+    )
+    assert done.returncode == 1
+    assert "SiO2/Malitson is no metal" in done.stderr
 
 
 def test_a_surface_has_the_reflectance_that_it_is_given(blender45, tmp_path):

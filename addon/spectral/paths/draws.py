@@ -41,7 +41,7 @@ class Draws:
             LIVE_NM: np.repeat((nm * is_live).sum(axis=1, keepdims=True), 3, axis=1),
         }
         for channel, name in enumerate(MASKS):
-            rows[name] = (bands[:, [channel]] // plan.triples == channels).astype(float)
+            rows[name] = (plan.channels(bands[:, [channel]]) == channels).astype(float)
         for name, values in plan.values.items():
             rows[name] = np.asarray(values)[bands]
             if name in plan.lights:

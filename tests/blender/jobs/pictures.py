@@ -42,13 +42,18 @@ def of_one_shader(name: str, kind: str) -> tuple[bpy.types.Material, bpy.types.N
     return material, shader
 
 
-def wall(*, file: str) -> None:
-    """A file with a matt green wall that fills the picture, under an even sky."""
+def wall(*, file: str, of_metal: bool = False) -> None:
+    """A file with a matt green wall that fills the picture, or one of polished metal, under an even sky."""
     scene = empty_scene()
     mesh = bpy.data.meshes.new("wall")
     mesh.from_pydata([(-2, -2, 0), (2, -2, 0), (2, 2, 0), (-2, 2, 0)], [], [(0, 1, 2, 3)])
-    material, diffuse = of_one_shader("Wall", "ShaderNodeBsdfDiffuse")
-    diffuse.inputs["Color"].default_value = (0.2, 0.6, 0.2, 1.0)
+    if of_metal:
+        material, shader = of_one_shader("Wall", "ShaderNodeBsdfMetallic")
+        shader.fresnel_type = "PHYSICAL_CONDUCTOR"
+        shader.inputs["Roughness"].default_value = 0.0
+    else:
+        material, shader = of_one_shader("Wall", "ShaderNodeBsdfDiffuse")
+        shader.inputs["Color"].default_value = (0.2, 0.6, 0.2, 1.0)
     mesh.materials.append(material)
     scene.collection.objects.link(bpy.data.objects.new("wall", mesh))
     camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))

@@ -87,6 +87,35 @@ for light, shown in (("F11", "F11"), (choices.ITS_COLOUR, "")):
     assert bpy.ops.nacre.give_light(lamp="World", light=light) == {"FINISHED"}
     assert marks.lit_by(scene.world.node_tree) == shown
 
+# A metal has n and k at each wavelength, and in RGB by channel.
+ring = bpy.data.materials.new("Ring")
+ring.use_nodes = True
+conductor = ring.node_tree.nodes.new("ShaderNodeBsdfMetallic")
+refused(lambda: bpy.ops.nacre.give_metal(material="Ring", metal="Au/Johnson"), "Physical Conductor")
+conductor.fresnel_type = "PHYSICAL_CONDUCTOR"
+before = [tuple(conductor.inputs[name].default_value) for name in ("IOR", "Extinction")]
+offered = [item[0] for item in choices._metals(None, bpy.context)]
+assert "Au/Johnson" in offered
+assert "SiO2/Malitson" not in offered
+assert bpy.ops.nacre.give_metal(material="Ring", metal="Au/Johnson") == {"FINISHED"}
+(metal,) = give.metals_of(ring)
+assert metal.metal == "Au/Johnson"
+n, k = described.Described.of_metal("Au/Johnson")
+(red_n, *_), (red_k, *_) = (of.at(np.array(described.RGB_NM)) for of in (n, k))
+assert red_n < 0.3
+assert red_k > 3.0
+for wrong, words in (("SiO2/Malitson", "is no metal"), ("unobtainium", "unobtainium")):
+    try:
+        metal.give(wrong)
+    except described.SpectrumError as error:
+        assert words in str(error), error
+    else:
+        raise AssertionError(wrong)
+assert metal.metal == "Au/Johnson"
+assert bpy.ops.nacre.give_metal(material="Ring", metal=choices.ITS_COLOUR) == {"FINISHED"}
+assert give.metals_of(ring)[0].metal == ""
+assert bpy.ops.nacre.give_metal(material="Ring", metal="Cu/Johnson") == {"FINISHED"}
+
 # Its colour again, and all as it was.
 assert bpy.ops.nacre.give_reflectance(reflectance=choices.ITS_COLOUR, **said) == {"FINISHED"}
 again = only(give.colours_of(paint))
@@ -97,3 +126,5 @@ assert bpy.ops.nacre.give_reflectance(reflectance="colorchecker/red") == {"FINIS
 assert bpy.ops.nacre.make_rgb() == {"FINISHED"}
 assert len(paint.node_tree.links) == links
 np.testing.assert_allclose(shader.inputs["Base Color"].default_value, (0.4, 0.05, 0.04, 1.0))
+assert [tuple(conductor.inputs[name].default_value) for name in ("IOR", "Extinction")] == before
+assert not any(conductor.inputs[name].is_linked for name in ("IOR", "Extinction"))
