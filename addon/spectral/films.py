@@ -31,6 +31,8 @@ from .report import Remark, Report
 _TABLE, _COLUMNS, _ROWS, _STACKED = "table", "columns", "rows", "stacked"
 """Names of the nodes that read the picture of all passes, and that say how they lie in it: the last is 0
 where it has one pass alone."""
+_ANGLES_DEG = (0.0, 60.0)
+_HARDLY = 1e-9
 MOST_TEXELS = 16384
 """Along an axis, of what every GPU that Blender runs on takes."""
 
@@ -198,6 +200,17 @@ class Film:
         with _told():
             return nacre.optical_thickness(self.template, self.tree.name)
 
+    @property
+    def fringes(self) -> list[np.ndarray]:
+        """Reflectances (9, 471) that bands have to show, head on and from aside."""
+        import nacre
+
+        with _told():
+            return [
+                nacre.film_fringes(self.template, file=self.tree.name, angle_deg=angle)
+                for angle in _ANGLES_DEG
+            ]
+
 
 @contextlib.contextmanager
 def _told() -> Iterator[None]:
@@ -223,9 +236,18 @@ def films() -> list[Film]:
     ]
 
 
-def thicknesses_nm() -> tuple[float, ...]:
-    """What bands are chosen by. Raises FilmError."""
-    return tuple(sorted({film.optical_thickness_nm for film in films()} - {0.0}))
+def fringes() -> tuple[list[float], np.ndarray]:
+    """What bands are chosen by: of films that are told apart by thicknesses that differ hardly, each once for
+    each of its reflectances (…, 471). Raises FilmError."""
+    thicknesses: list[float] = []
+    reflectances: list[np.ndarray] = []
+    for film in {film.template: film for film in films()}.values():
+        thickness_nm = film.optical_thickness_nm
+        for rows in film.fringes if thickness_nm > 0.0 else ():
+            apart = thickness_nm * (1.0 + _HARDLY * len(reflectances))
+            thicknesses += [apart] * len(rows)
+            reflectances.append(rows)
+    return thicknesses, np.concatenate(reflectances) if reflectances else np.empty((0, 471))
 
 
 def digest() -> str:

@@ -20,7 +20,7 @@ def plan_for(scene: bpy.types.Scene, triples: int | None = None) -> plan.Plan:
     return plan.make(
         groups.found_spectra(),
         triples,
-        films_nm=films.thicknesses_nm(),
+        films=films.fringes(),
         spread_px=_spread_px(scene),
     )
 

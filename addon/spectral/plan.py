@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -109,13 +109,13 @@ def make(
     spectra: Mapping[str, Described],
     triples: int | None = None,
     *,
-    films_nm: tuple[float, ...] = (),
+    films: tuple[Sequence[float], np.ndarray] = ((), np.empty((0, 471))),
     spread_px: float | None = None,
     observer: str = "cie1931",
 ) -> Plan:
-    """Of as many bands as are needed where no number of triples is given. films_nm: optical thicknesses;
-    spread_px: how far from each other what disperses sends the lines F and C, None where nothing does. Raises
-    PlanError."""
+    """Of as many bands as are needed where no number of triples is given. films: optical thicknesses in nm and
+    reflectances (N, 471), those of one thickness together; spread_px: how far from each other what disperses
+    sends the lines F and C, None where nothing does. Raises PlanError."""
     lights = [found.as_light for found in spectra.values() if found.kind == EMISSION] or [
         DAYLIGHT.as_light
     ]
@@ -125,7 +125,8 @@ def make(
             bands, choice = nacre.choose_bands(
                 lights,
                 wavelength_nm=_EVERY_NM,
-                films_nm=films_nm,
+                films_nm=films[0],
+                film_reflectances=films[1] if len(films[0]) > 0 else None,
                 observer=observer,
                 **_spread(spread_px),
             )

@@ -171,6 +171,19 @@ def test_tables_of_a_film_in_bands():
         np.testing.assert_allclose(tables["R"][:, row, 3], at_bands[np.array(passes)], atol=2e-5)
 
 
+@pytest.mark.parametrize("angle", [0.0, 60.0])
+def test_fringes_are_those_of_the_thickest_films(angle):
+    found = nacre.film_fringes(FILM, 3, angle_deg=angle)
+    assert found.shape == (3, 471)
+    thickest = nacre.template_spectrum(FILM, 600.0, angle).reflectance
+    np.testing.assert_allclose(found[2], thickest, rtol=1e-12)
+    thinnest = nacre.template_spectrum(FILM, 0.9 * 600.0, angle).reflectance
+    np.testing.assert_allclose(found[0], thinnest, rtol=1e-12)
+    for wrong in (-1.0, 90.0, float("nan")):
+        with pytest.raises(nacre.NacreError, match="angle_deg: must be from 0 to below 90"):
+            nacre.film_fringes(FILM, angle_deg=wrong)
+
+
 def test_optical_thickness_is_that_of_the_thickest_film():
     assert nacre.optical_thickness(FILM) == pytest.approx(900.0, rel=1e-9)
 

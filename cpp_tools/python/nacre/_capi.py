@@ -324,7 +324,7 @@ SIGNATURES: dict[str, tuple[Any, list[Any]]] = {
     "nacre_band_tables": (c_int, [c_char_p, c_char_p, c_void_p, c_size_t, c_void_p, c_size_t,
         POINTER(TableSize), POINTER(c_void_p)]),
     "nacre_template_optical_thickness": (c_int, [c_char_p, c_char_p, c_void_p]),
-    "nacre_template_fringes": (c_int, [c_char_p, c_char_p, c_size_t, c_void_p]),
+    "nacre_template_fringes": (c_int, [c_char_p, c_char_p, c_size_t, c_double, c_void_p]),
     "nacre_template_spectrum": (c_int, [c_char_p, c_char_p, c_char_p, c_char_p, c_char_p, c_char_p,
         c_double, c_double, c_void_p, c_void_p, c_void_p]),
     "nacre_texture_samples": (c_int, [c_size_t, c_void_p, c_void_p, c_int, c_void_p]),

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from ._bands import Bands
 from ._capi import WAVELENGTHS, TableSize
-from ._native import NacreError, check, lib, numbers, take_tables
+from ._native import NacreError, check, lib, number, numbers, take_tables
 from ._native import text as encoded
 
 
@@ -92,8 +92,11 @@ def band_tables(
         lib.nacre_result_free(handle)
 
 
-def film_fringes(template: str, count: int = 9, file: str = "template.toml") -> np.ndarray:
-    """Reflectance of the film of a template, head on, for `choose_bands` as `film_reflectances`.
+def film_fringes(
+    template: str, count: int = 9, file: str = "template.toml", *, angle_deg: float = 0.0
+) -> np.ndarray:
+    """Reflectance of the film of a template for `choose_bands` as `film_reflectances`, `angle_deg` from its
+    normal, 0 to below 90.
 
     Returns
     -------
@@ -104,15 +107,20 @@ def film_fringes(template: str, count: int = 9, file: str = "template.toml") -> 
     Raises
     ------
     NacreError
-        Problems of the template, one a line; a count that is not 2 or more.
+        Problems of the template, one a line; a count that is not 2 or more, an angle.
     """
     (many,) = numbers((count,), "count", int, 1)
+    angle = number(angle_deg, "angle_deg")
     if not 2 <= many <= 100_000:
         raise NacreError(f"count: must be 2 to 100000 (got {count})")
     reflectance = np.empty((many, WAVELENGTHS))
     check(
         lib.nacre_template_fringes(
-            encoded(template, "template"), encoded(file, "file"), many, reflectance.ctypes.data
+            encoded(template, "template"),
+            encoded(file, "file"),
+            many,
+            angle,
+            reflectance.ctypes.data,
         )
     )
     return reflectance

@@ -58,13 +58,14 @@ NACRE_API nacre_status nacre_template_optical_thickness(const char* text, const 
                                                         double* thickness_nm);
 
 /**
- * Reflectance of the film of a template, head on, at thicknesses from 0.9 times its thickest to
- * that, evenly, which nacre_band_needs takes; of one that does not vary all the same.
+ * Reflectance of the film of a template at thicknesses from 0.9 times its thickest to that, evenly,
+ * which nacre_band_needs takes; of one that does not vary all the same.
  * @param count        > 1
+ * @param angle_deg    of incidence, from 0 to below 90, in the ambient
  * @param reflectance  count x NACRE_WAVELENGTHS, 360 ... 830 nm
  */
 NACRE_API nacre_status nacre_template_fringes(const char* text, const char* file, size_t count,
-                                              double* reflectance);
+                                              double angle_deg, double* reflectance);
 
 /**
  * What the film of a template reflects and lets pass, unpolarised.

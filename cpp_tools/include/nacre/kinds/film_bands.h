@@ -37,10 +37,12 @@ using BandPass = std::array<spectral::Sampled, 3>;
 [[nodiscard]] double optical_thickness_nm(const MaterialTemplate& source,
                                           const CompileOptions& options);
 
-/// Reflectance of a film, head on, at thicknesses from 0.9 times its thickest to that, evenly; of
-/// one that does not vary all the same.
+/// Reflectance of a film at thicknesses from 0.9 times its thickest to that, evenly; of one that
+/// does not vary all the same.
+/// @param cos_theta  of the angle of incidence, in the ambient
 /// @pre count > 1
 [[nodiscard]] std::vector<spectral::Sampled> film_fringes(const MaterialTemplate& source,
-                                                          const CompileOptions& options, int count);
+                                                          const CompileOptions& options, int count,
+                                                          double cos_theta = 1.0);
 
 }  // namespace nacre::kinds

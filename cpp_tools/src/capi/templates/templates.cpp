@@ -123,7 +123,7 @@ nacre_status nacre_template_optical_thickness(const char* text, const char* file
 }
 
 nacre_status nacre_template_fringes(const char* text, const char* file, size_t count,
-                                    double* reflectance)
+                                    double angle_deg, double* reflectance)
 {
     using namespace nacre;
     return capi::guarded([&] {
@@ -131,9 +131,13 @@ nacre_status nacre_template_fringes(const char* text, const char* file, size_t c
         constexpr size_t kMost = 100'000;
         if (count < 2 || count > kMost)
             capi::fail("count", fmt::format("must be 2 to {} (got {})", kMost, count));
+        if (!(angle_deg >= 0.0 && angle_deg < 90.0))
+            capi::fail("angle_deg",
+                       fmt::format("must be from 0 to below 90 (got {:g})", angle_deg));
         const kinds::CompileOptions options = capi::plain_options(text, file);
-        const std::vector<spectral::Sampled> films = kinds::film_fringes(
-            kinds::parse_template(text, file), options, static_cast<int>(count));
+        const std::vector<spectral::Sampled> films =
+            kinds::film_fringes(kinds::parse_template(text, file), options, static_cast<int>(count),
+                                std::cos(angle_deg * std::numbers::pi / 180.0));
         for (const spectral::Sampled& film : films)
             reflectance = std::ranges::copy(film, reflectance).out;
     });

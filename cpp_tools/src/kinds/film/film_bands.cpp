@@ -129,11 +129,12 @@ double optical_thickness_nm(const MaterialTemplate& source, const CompileOptions
 }
 
 std::vector<spectral::Sampled> film_fringes(const MaterialTemplate& source,
-                                            const CompileOptions& options, int count)
+                                            const CompileOptions& options, int count,
+                                            double cos_theta)
 {
     const std::optional<lut::Variation> variation = film_request(source, options).variation;
     const auto at = [&](double value) {
-        return film_spectrum(source, options, 1.0, value).reflectance;
+        return film_spectrum(source, options, cos_theta, value).reflectance;
     };
     std::vector<spectral::Sampled> films;
     if (!variation) return std::vector(static_cast<std::size_t>(count), at(0.0));

@@ -107,7 +107,7 @@ assert abs(thickness[edited] / thickness[tree_of(copy)] - 1.0) > 0.1
 assert thickness[tree_of(copy)] == before[tree_of(copy)]
 
 # While a plan is rendered each has a picture of all passes of its own, and none afterwards.
-made = plan.make(spectral_groups.found_spectra(), 8, films_nm=films.thicknesses_nm())
+made = plan.make(spectral_groups.found_spectra(), 8, films=films.fringes())
 with films.in_bands(made, at_once=True):
     pictures = []
     for tree in (edited, tree_of(copy), in_nodes):
