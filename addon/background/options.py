@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NoReturn
 
+from ..core import wavelengths
 from ..core.faults import ForeseenError
 from ..core.form import AUTO, NODES, OSL
 from ..films.stack import MULTILAYER, TECHNIQUES
@@ -19,7 +20,7 @@ from ..viewer.fields import FIELDS
 from .scenes import STAGES
 
 DEFAULT_VIEW = "Khronos PBR Neutral"
-MOST_BANDS = 300
+MOST_BANDS = wavelengths.MOST
 
 EPILOG = """\
 Cycles is looked for in this order: NACRE_PYTHON (a Python with bpy), NACRE_BLENDER (a Blender program),
@@ -36,6 +37,7 @@ examples:
   nacre render --material soap_film --stage sphere --animate thickness_nm=900:50 --frames 1-48 -o thin_##.png
   nacre render --material oil_on_water --thickness-map spill.png --range 100:800 -o spill.png
   nacre render --batch looks.csv --stage shaderball --samples 64 -o looks/
+  nacre render --material soap_film --stage sphere --spectral --wavelengths 400:700:10 -o cube.exr
   nacre render --material soap_film --stage sphere --pixel 320 240 --json
   nacre render --material soap_film --stage sphere --aov thickness --aov cos_theta -o bubble.exr
   nacre render --gallery --size 256x256 --samples 64 -o gallery/
@@ -180,6 +182,13 @@ def parser() -> argparse.ArgumentParser:
         "lights need (default)",
     )
     picture.add_argument(
+        "--wavelengths",
+        metavar="FIRST:LAST:STEP",
+        type=_wavelengths,
+        help="of --spectral, instead of --bands: a band around each, in nm, as sensors have them (400:700:10), "
+        "and others that cover the rest",
+    )
+    picture.add_argument(
         "--light",
         metavar="LAMP=SPECTRUM",
         action="append",
@@ -253,6 +262,13 @@ def _bands(text: str) -> int | None:
             f"must be auto or a multiple of 3 in 3 … {MOST_BANDS} (got {text!r})"
         )
     return int(text)
+
+
+def _wavelengths(text: str) -> wavelengths.Wavelengths:
+    try:
+        return wavelengths.parse(text)
+    except wavelengths.WavelengthsError as error:
+        raise argparse.ArgumentTypeError(str(error)) from error
 
 
 def _size(text: str) -> tuple[int, int]:
@@ -331,11 +347,16 @@ def _check_spectral(options: argparse.Namespace) -> None:
             ("--light", options.light),
             ("--surface", options.surface),
             ("--bands", options.bands),
+            ("--wavelengths", options.wavelengths),
             ("--mode", options.mode),
         ):
             if given not in (None, []):
                 raise UsageError(f"{name} needs --spectral")
         return
+    if options.bands is not None and options.wavelengths is not None:
+        raise UsageError(
+            "--bands and --wavelengths are one too many: both say which bands there are"
+        )
     if options.form == OSL:
         raise UsageError("--spectral renders materials as nodes: --form osl does not go with it")
     if options.aov:

@@ -103,7 +103,8 @@ def prepare(scene: bpy.types.Scene, options: argparse.Namespace) -> Prepared:
         _give_light(scene, text)
     for text in options.surface:
         _give_surface(text)
-    made = needs.plan_for(scene, None if options.bands is None else options.bands // 3)
+    triples = None if options.bands is None else options.bands // 3
+    made = needs.plan_for(scene, triples, options.wavelengths)
     notes = [f"{remark.where}: {remark.text}" for remark in report.remarks]
     if made.choice is not None and not made.choice.met:
         notes.append(f"{len(made.bands)} bands, the most there are, {_shortfall(made.choice)}")

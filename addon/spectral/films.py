@@ -31,7 +31,7 @@ from .report import Remark, Report
 _TABLE, _COLUMNS, _ROWS, _STACKED = "table", "columns", "rows", "stacked"
 """Names of the nodes that read the picture of all passes, and that say how they lie in it: the last is 0
 where it has one pass alone."""
-_ANGLES_DEG = (0.0, 60.0)
+_ANGLES_DEG = (0.0, 45.0, 75.0)
 _HARDLY = 1e-9
 MOST_TEXELS = 16384
 """Along an axis, of what every GPU that Blender runs on takes."""
@@ -237,15 +237,17 @@ def films() -> list[Film]:
 
 
 def fringes() -> tuple[list[float], np.ndarray]:
-    """What bands are chosen by: of films that are told apart by thicknesses that differ hardly, each once for
-    each of its reflectances (…, 471). Raises FilmError."""
+    """What bands are chosen by: optical thicknesses and reflectances (…, 471). Thicknesses differ hardly, so
+    that each has to be right, and not their mean. Raises FilmError."""
     thicknesses: list[float] = []
     reflectances: list[np.ndarray] = []
     for film in {film.template: film for film in films()}.values():
         thickness_nm = film.optical_thickness_nm
         for rows in film.fringes if thickness_nm > 0.0 else ():
-            apart = thickness_nm * (1.0 + _HARDLY * len(reflectances))
-            thicknesses += [apart] * len(rows)
+            thicknesses += [
+                thickness_nm * (1.0 + _HARDLY * (len(thicknesses) + row))
+                for row in range(len(rows))
+            ]
             reflectances.append(rows)
     return thicknesses, np.concatenate(reflectances) if reflectances else np.empty((0, 471))
 

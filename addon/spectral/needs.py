@@ -8,6 +8,7 @@ import bpy
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 
+from ..core.wavelengths import Wavelengths
 from . import films, forms, groups, plan
 
 _SPREAD = 0.045
@@ -15,11 +16,17 @@ _SPREAD = 0.045
 what is a bit more than its own size behind it."""
 
 
-def plan_for(scene: bpy.types.Scene, triples: int | None = None) -> plan.Plan:
-    """Of as many bands as the scene needs where no number is given. Raises ForeseenError."""
+def plan_for(
+    scene: bpy.types.Scene,
+    triples: int | None = None,
+    wavelengths: Wavelengths | None = None,
+) -> plan.Plan:
+    """Of as many bands as the scene needs where neither their number nor where they are is given. Raises
+    ForeseenError."""
     return plan.make(
         groups.found_spectra(),
         triples,
+        wavelengths=wavelengths,
         films=films.fringes(),
         spread_px=_spread_px(scene),
     )

@@ -13,6 +13,7 @@ import numpy as np
 import nacre
 
 from ..core.faults import ForeseenError
+from ..core.wavelengths import Wavelengths
 from .attributes import (
     BASIS,
     IS_SPECTRAL,
@@ -109,19 +110,23 @@ def make(
     spectra: Mapping[str, Described],
     triples: int | None = None,
     *,
+    wavelengths: Wavelengths | None = None,
     films: tuple[Sequence[float], np.ndarray] = ((), np.empty((0, 471))),
     spread_px: float | None = None,
     observer: str = "cie1931",
 ) -> Plan:
-    """Of as many bands as are needed where no number of triples is given. films: optical thicknesses in nm and
-    reflectances (N, 471), those of one thickness together; spread_px: how far from each other what disperses
-    sends the lines F and C, None where nothing does. Raises PlanError."""
+    """Of as many bands as are needed where neither the number of triples nor wavelengths are given.
+
+    films: optical thicknesses in nm and reflectances (N, 471), those of one thickness together; spread_px: how
+    far from each other what disperses sends the lines F and C, None where nothing does. Raises PlanError."""
     lights = [found.as_light for found in spectra.values() if found.kind == EMISSION] or [
         DAYLIGHT.as_light
     ]
     choice = None
     try:
-        if triples is None:
+        if wavelengths is not None:
+            bands = nacre.develop.bands_of(wavelengths.bands, wavelengths.edges, observer=observer)
+        elif triples is None:
             bands, choice = nacre.choose_bands(
                 lights,
                 wavelength_nm=_EVERY_NM,

@@ -10,6 +10,7 @@ import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty, StringProperty
 
 from ..blender import denoise, output
+from ..core import wavelengths
 from ..core.computation import library_problem
 from ..materials.guard import reports_errors
 from . import marks
@@ -41,6 +42,11 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         step=3,
     )
 
+    wavelengths: StringProperty(
+        name="Wavelengths",
+        description="A band around each instead, as sensors have them: FIRST:LAST:STEP in nm, 400:700:10",
+        default="",
+    )
     mode: EnumProperty(
         name="Mode",
         description="How wavelengths are rendered",
@@ -100,7 +106,8 @@ class NACRE_OT_render_spectral(bpy.types.Operator):
         path = Path(bpy.path.abspath(self.filepath)).absolute().with_suffix(".exr")
         output.check([path])
         scene = context.scene
-        plan = needs.plan_for(scene, -(-self.bands // 3) or None)
+        wanted = wavelengths.parse(self.wavelengths) if self.wavelengths else None
+        plan = needs.plan_for(scene, -(-self.bands // 3) or None, wanted)
         steps = range(scene.frame_start, scene.frame_end + 1, scene.frame_step)
         self._jobs = render_job.pictures(
             scene, path, plan, steps if self.animation else None, by_paths=self.mode == "PATHS"

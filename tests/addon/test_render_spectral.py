@@ -87,6 +87,33 @@ def test_a_lamp_can_be_any_light(blender45, tmp_path):
     assert sodium[2] < 0.0
 
 
+def test_bands_are_where_a_sensor_has_them(blender, tmp_path):
+    path = tmp_path / "cube.exr"
+    done = blender.render(
+        *WHAT,
+        "--spectral",
+        "--wavelengths",
+        "400:700:10",
+        "--light",
+        "World=A",
+        "--json",
+        "-o",
+        path,
+    )
+    assert done.returncode == 0, done.stderr
+    assert json.loads(done.stdout)["bands"] == 33
+    found = channels_of(path)
+    wanted = [f"S0.{nm},000nm" for nm in range(400, 701, 10)]
+    assert set(wanted) < set(found)
+    # A third channel of white is what the lamp has there, and colours are those of the eye's bands.
+    eye = tmp_path / "eye.exr"
+    done = blender.render(*WHAT, "--spectral", "--bands", "48", "--light", "World=A", "-o", eye)
+    assert done.returncode == 0, done.stderr
+    by_eye = channels_of(eye)
+    for name in "RGB":
+        np.testing.assert_allclose(found[name].mean(), by_eye[name].mean(), rtol=0.01, atol=2e-3)
+
+
 def test_a_metal_is_what_it_is_given(blender45, tmp_path):
     scene = tmp_path / "wall.blend"
     blender45.call("pictures.wall", file=str(scene), of_metal=True)
@@ -197,6 +224,13 @@ def test_passes_of_another_picture_are_not_taken_for_it(blender45, tmp_path):
         (("--bands", "24"), "--bands needs --spectral"),
         (("--light", "World=A"), "--light needs --spectral"),
         (("--surface", "Wall=colorchecker/red"), "--surface needs --spectral"),
+        (("--wavelengths", "400:700:10"), "--wavelengths needs --spectral"),
+        (("--spectral", "--wavelengths", "400:700"), "must be FIRST:LAST:STEP in nm"),
+        (
+            ("--spectral", "--wavelengths", "400:900:10"),
+            "must have bands within 360 … 830 nm (got 395 … 905)",
+        ),
+        (("--spectral", "--bands", "24", "--wavelengths", "400:700:10"), "are one too many"),
         (("--mode", "paths"), "--mode needs --spectral"),
         (("--spectral", "--surface", "Wall=a.csv"), "--surface: no material 'Wall'; there are: "),
         (("--spectral", "--light", "Key=A"), "--light: no lamp 'Key' in the scene"),
