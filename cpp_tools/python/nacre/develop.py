@@ -31,7 +31,7 @@ class Metamerism(NamedTuple):
     """
 
     difference: float
-    index: float
+    index: float  # type: ignore[assignment]
 
 
 def cameras() -> list[str]:
