@@ -197,6 +197,7 @@ def test_interfaces_page_has_every_function_of_python():
 
     expected = (
         functions(nacre)
+        | functions(nacre.develop, "develop.")
         | functions(nacre.library, "library.")
         | functions(nacre.shapes, "shapes.")
         | functions(nacre.textures, "textures.")
