@@ -32,8 +32,8 @@ Lamp = tuple[str, nacre.LightSamples | str]
 
 @dataclass(frozen=True)
 class Wish:
-    """camera: of nacre.develop.cameras, in place of an eye; white: a light, or radiances of a place, of the
-    picture as it was rendered; lamps and strengths: by layer, what is changed."""
+    """camera: of nacre.develop.cameras, in place of an eye; white: a light, or white_at: a pixel; lamps and
+    strengths: by layer, what is changed."""
 
     observer: str = ""
     camera: str = ""
@@ -62,14 +62,19 @@ class SpectralPicture:
         except nacre.NacreError as error:
             raise ExrError(f"{path}: {error}") from error
 
-    @property
-    def groups(self) -> list[str]:
-        return [layer for layer in self.image.layers if layer != WHOLE]
 
-    def factors(self, wish: Wish) -> dict[str, np.ndarray]:
-        """(N,) of each layer that counts: what it is multiplied by before all is summed. A group is in the
-        whole already, so that its factor is what it changes by. Raises DevelopError."""
-        changed = {name: self._factor(name, wish) for name in self.image.layers}
+class Development:
+    """A picture as it is wished. factors: (N,) of each layer that counts, what it is multiplied by before all is
+    summed; a group is in the whole already, so that its factor is what it changes by. colours: (N, 3) of an
+    emission of 1 per nm in each band, in the space. Raises DevelopError."""
+
+    def __init__(self, picture: SpectralPicture, wish: Wish, space: Matrix) -> None:
+        self._picture = picture
+        self.factors = self._factors(wish)
+        self.colours = self._colours(wish, space)
+
+    def _factors(self, wish: Wish) -> dict[str, np.ndarray]:
+        changed = {name: self._factor(name, wish) for name in self._picture.image.layers}
         groups = {
             name: factor - 1.0
             for name, factor in changed.items()
@@ -80,29 +85,29 @@ class SpectralPicture:
         return {WHOLE: changed[WHOLE], **groups}
 
     def _factor(self, layer: str, wish: Wish) -> np.ndarray:
-        factor = np.full(len(self.bands), wish.strengths.get(layer, 1.0))
+        picture = self._picture
+        factor = np.full(len(picture.bands), wish.strengths.get(layer, 1.0))
         if layer not in wish.lamps:
             return factor
         name, light = wish.lamps[layer]
-        before = self.image.lamps.get(layer)
+        before = picture.image.lamps.get(layer)
         if before is None:
             what = f"of the group {layer}" if layer else "of the picture"
             raise DevelopError(f"The lamps {what} are of several lights, or not known: not {name}")
         try:
-            return factor * nacre.develop.exchange(self.bands, before.power, light, before.light)
+            return factor * nacre.develop.exchange(picture.bands, before.power, light, before.light)
         except nacre.NacreError as error:
             raise DevelopError(f"{name}: {error}") from error
 
-    def colours(self, wish: Wish, space: Matrix) -> np.ndarray:
-        """(N, 3) of an emission of 1 per nm in each band, in a space. Raises DevelopError."""
-        white = None
+    def _colours(self, wish: Wish, space: Matrix) -> np.ndarray:
+        bands, white = self._picture.bands, None
         try:
             if wish.white_at is not None:
-                white = self.radiance(wish.white_at, self.factors(wish))
+                white = self.radiance(wish.white_at)
             elif wish.white is not None:
-                white = self.bands.in_bands(wish.white)
+                white = bands.in_bands(wish.white)
             found = nacre.develop.colours(
-                self.bands,
+                bands,
                 observer=wish.observer or None,
                 camera=wish.camera or None,
                 raw=wish.raw,
@@ -113,39 +118,38 @@ class SpectralPicture:
             raise DevelopError(str(error)) from error
         return found if wish.raw else found @ np.asarray(conversion_from_xyz(space)).T
 
-    def developed(self, wish: Wish, space: Matrix) -> np.ndarray:
-        """float32 (height, width, 3), row 0 on top. Raises DevelopError."""
-        colours = self.colours(wish, space)
+    def pixels(self) -> np.ndarray:
+        """float32 (height, width, 3), row 0 on top."""
         result = np.float32(0.0)
-        for layer, factor in self.factors(wish).items():
-            matrix = (factor[:, None] * colours).astype(np.float32)
-            result = result + self.image.layers[layer] @ matrix
+        for layer, factor in self.factors.items():
+            matrix = (factor[:, None] * self.colours).astype(np.float32)
+            result = result + self._picture.image.layers[layer] @ matrix
         return result
 
-    def radiance(
-        self, pixel: tuple[int, int], factors: Mapping[str, np.ndarray], side: int = 1
-    ) -> np.ndarray:
+    def radiance(self, pixel: tuple[int, int], side: int = 1) -> np.ndarray:
         """(N,) per nm, the mean of a square around a pixel from the top left, as much of it as is within."""
         x, y = pixel
         before, after = (side - 1) // 2, side // 2 + 1
         place = (slice(max(0, y - before), y + after), slice(max(0, x - before), x + after))
         return sum(
-            factor * self.image.layers[layer][place].mean((0, 1), dtype=float)
-            for layer, factor in factors.items()
+            factor * self._picture.image.layers[layer][place].mean((0, 1), dtype=float)
+            for layer, factor in self.factors.items()
         )
 
     def metamerism(
-        self, first: np.ndarray, second: np.ndarray, wish: Wish, lamp: Lamp
+        self, first: np.ndarray, second: np.ndarray, lamp: Lamp
     ) -> nacre.develop.Metamerism:
         """How far two radiances are apart under a lamp. Raises DevelopError."""
         name, light = lamp
-        before, factors = self.image.lamps.get(WHOLE), self.factors(wish)
-        if before is None or len(factors) > 1:
+        before = self._picture.image.lamps.get(WHOLE)
+        if before is None or len(self.factors) > 1:
             raise DevelopError(
                 "Lamps are of several lights: places are compared where all are of one"
             )
-        power = before.power * factors[WHOLE]
+        power = before.power * self.factors[WHOLE]
         try:
-            return nacre.develop.metamerism(self.bands, first, second, power, light, before.light)
+            return nacre.develop.metamerism(
+                self._picture.bands, first, second, power, light, before.light
+            )
         except nacre.NacreError as error:
             raise DevelopError(f"{name}: {error}") from error

@@ -9,10 +9,11 @@ from pathlib import Path
 import bpy
 from bpy.props import IntProperty, StringProperty
 
+from ..blender.windows import begin_pick, end_pick, within
 from ..core import spectral_image
-from ..core.computation import library_problem
 from ..core.whole_file import write_whole
 from ..materials.guard import reports_errors
+from ..spectral.operators import NeedsLibrary
 from . import session
 
 
@@ -24,15 +25,6 @@ def file_of(image: bpy.types.Image | None) -> Path | None:
     return Path(path) if str(path).lower().endswith(".exr") else None
 
 
-class _NeedsLibrary(bpy.types.Operator):
-    @classmethod
-    def poll(cls, _context):
-        problem = library_problem()
-        if problem:
-            cls.poll_message_set(problem)
-        return not problem
-
-
 class _NeedsPicture(bpy.types.Operator):
     @classmethod
     def poll(cls, _context):
@@ -42,13 +34,14 @@ class _NeedsPicture(bpy.types.Operator):
         return True
 
 
-class NACRE_OT_develop(_NeedsLibrary):
+class NACRE_OT_develop(NeedsLibrary):
     bl_idname = "nacre.develop"
     bl_label = "Nacre: Develop a Spectral Picture"
     bl_description = (
         "Open what Render Spectral wrote, or another program's spectral EXR: see it under other lamps, by other "
         "eyes and cameras, and measure spectra in it"
     )
+    bl_options = {"REGISTER"}
 
     filepath: StringProperty(name="File", description="A spectral .exr", subtype="FILE_PATH")
     filter_glob: StringProperty(default="*.exr", options={"HIDDEN"})
@@ -84,15 +77,11 @@ class NACRE_OT_measure_spectrum(_NeedsPicture):
     def invoke(self, context, _event):
         if self.properties.is_property_set("x") or context.window is None:
             return self.execute(context)
-        context.window.cursor_modal_set("EYEDROPPER")
-        context.workspace.status_text_set("Click places to measure their spectra, Esc to end")
-        context.window_manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
+        return begin_pick(self, context, "Click places to measure their spectra, Esc to end")
 
     def modal(self, context, event):
         if event.type in {"ESC", "RIGHTMOUSE"}:
-            context.window.cursor_modal_restore()
-            context.workspace.status_text_set(None)
+            end_pick(context)
             return {"FINISHED"}
         if event.type != "LEFTMOUSE" or event.value != "PRESS":
             return {"PASS_THROUGH"}
@@ -111,7 +100,7 @@ class NACRE_OT_measure_spectrum(_NeedsPicture):
             self.report({"ERROR"}, f"{self.x}, {self.y} is not within {width} x {height} pixels")
             return {"CANCELLED"}
         settings.places.add().pixel = (self.x, self.y)
-        session.renew(settings)
+        session.renew_places(settings)
         return {"FINISHED"}
 
 
@@ -122,16 +111,12 @@ def _pixel_under(window: bpy.types.Window, mouse: tuple[int, int]) -> tuple[int,
         image = area.spaces.active.image if area.type == "IMAGE_EDITOR" else None
         if image is None or tuple(image.size) != (width, height):
             continue
-        for region in area.regions:
-            x, y = mouse[0] - region.x, mouse[1] - region.y
-            if region.type != "WINDOW" and 0 <= x < region.width and 0 <= y < region.height:
-                return None  # a panel that lies over the picture
-        for region in area.regions:
-            x, y = mouse[0] - region.x, mouse[1] - region.y
-            if region.type == "WINDOW" and 0 <= x < region.width and 0 <= y < region.height:
-                u, v = region.view2d.region_to_view(x, y)
-                if 0.0 <= u < 1.0 and 0.0 <= v < 1.0:
-                    return int(u * width), height - 1 - int(v * height)
+        there = [region for region in area.regions if within(region, mouse)]
+        if [region.type for region in there] != ["WINDOW"]:
+            continue  # elsewhere, or on a panel that lies over the picture
+        u, v = there[0].view2d.region_to_view(*within(there[0], mouse))
+        if 0.0 <= u < 1.0 and 0.0 <= v < 1.0:
+            return int(u * width), height - 1 - int(v * height)
     return None
 
 
@@ -148,7 +133,7 @@ class NACRE_OT_forget_spectrum(_NeedsPicture):
             settings.places.clear()
         elif self.index < len(settings.places):
             settings.places.remove(self.index)
-        session.renew(settings)
+        session.renew_places(settings)
         return {"FINISHED"}
 
 

@@ -31,7 +31,7 @@ class NACRE_PT_develop(Documented, bpy.types.Panel):
         layout.use_property_decorate = False
         column = layout.column()
         column.prop(settings, "viewer")
-        if settings.viewer not in (session.FILE, "cie1931", "cie1964"):
+        if session.is_camera(settings.viewer):
             column.prop(settings, "raw")
         column.prop(settings, "white")
         column.prop(settings, "exposure")

@@ -25,8 +25,6 @@ from .session import FILE, KEEP, NONE, PLACE
 
 _shown: dict[str, list] = {}
 """Blender wants lists to live on."""
-_beginning: list[bool] = []
-"""Whether settings change without being wished for."""
 
 
 def _lights(name: str, *first: tuple[str, str, str]) -> list:
@@ -78,9 +76,12 @@ def _viewers(_self, _context):
     return found
 
 
-def _on_change(self, context) -> None:
-    if not _beginning:
-        session.renew(context.window_manager.nacre_develop)
+def _on_change(_self, context) -> None:
+    session.renew(context.window_manager.nacre_develop)
+
+
+def _on_measure(_self, context) -> None:
+    session.renew(context.window_manager.nacre_develop, with_picture=False)
 
 
 class NACRE_PG_developed_lamp(bpy.types.PropertyGroup):
@@ -130,27 +131,23 @@ class NACRE_PG_develop(bpy.types.PropertyGroup):
         default=5,
         min=1,
         max=512,
-        update=_on_change,
+        update=_on_measure,
     )
     under: EnumProperty(
         name="Under",
         description="The light that two places are compared under",
         items=_comparisons,
-        update=_on_change,
+        update=_on_measure,
     )
 
     def begin(self, opened) -> None:
         """As they come, for a picture."""
-        _beginning.append(True)
-        try:
-            for name in ("viewer", "raw", "white", "exposure"):
-                self.property_unset(name)
-            self.places.clear()
-            self.lamps.clear()
-            for layer in opened.image.layers:
-                self.lamps.add().layer = layer
-        finally:
-            _beginning.clear()
+        for name in ("viewer", "raw", "white", "exposure"):
+            self.property_unset(name)
+        self.places.clear()
+        self.lamps.clear()
+        for layer in opened.image.layers:
+            self.lamps.add().layer = layer
 
 
 def forget() -> None:

@@ -19,7 +19,7 @@ from ..core.faults import ForeseenError
 if TYPE_CHECKING:
     import nacre
 
-    from .development import Lamp, SpectralPicture, Wish
+    from .development import Development, Lamp, SpectralPicture, Wish
     from .places import Place
 
 FILE, KEEP, NONE, PLACE = "FILE", "KEEP", "NONE", "PLACE"
@@ -53,6 +53,10 @@ def forget() -> None:
     _shown.clear()
 
 
+def is_camera(viewer: str) -> bool:
+    return viewer != FILE and viewer not in _EYES
+
+
 def open_file(path: Path, settings) -> bpy.types.Image:
     """As it was rendered. Raises ForeseenError, OSError; what was open stays then."""
     from .development import SpectralPicture
@@ -60,57 +64,54 @@ def open_file(path: Path, settings) -> bpy.types.Image:
     opened = SpectralPicture(path)
     _shown[:] = [Shown(opened)]
     settings.begin(opened)
-    return _renew(shown(), settings)
+    _renew(shown(), settings)
+    return bpy.data.images[shown().image_name]
 
 
-def renew(settings) -> None:
-    """What is shown, as it is wished now."""
+def renew(settings, *, with_picture: bool = True) -> None:
+    """What is shown, as it is wished now; the picture as it is, where that cannot have changed."""
     current = shown()
     if current is None:
         return
     try:
-        _renew(current, settings)
+        _renew(current, settings, with_picture=with_picture)
         current.problem = ""
     except ForeseenError as error:
         current.problem = str(error)
     redraw_panels()
 
 
-def _renew(current: Shown, settings) -> bpy.types.Image:
-    wish = _wish(settings)
-    rgb = current.picture.developed(wish, of_file())
-    alpha = current.picture.image.alpha
-    if alpha is None:
-        alpha = np.ones(rgb.shape[:2], np.float32)
-    image = as_image(rgb, alpha, current.image_name)
-    _measure(current, settings, wish)
-    return image
+def renew_places(settings) -> None:
+    """After others are measured; the first of them may be white."""
+    renew(settings, with_picture=settings.white == PLACE)
 
 
-def measure(settings) -> None:
-    """The places anew. Raises ForeseenError."""
-    current = shown()
-    if current is not None:
-        _measure(current, settings, _wish(settings))
-        redraw_panels()
+def _renew(current: Shown, settings, *, with_picture: bool = True) -> None:
+    from .development import Development
+
+    made = Development(current.picture, _wish(settings), of_file())
+    if with_picture:
+        rgb, alpha = made.pixels(), current.picture.image.alpha
+        if alpha is None:
+            alpha = np.ones(rgb.shape[:2], np.float32)
+        as_image(rgb, alpha, current.image_name)
+    _measure(current, settings, made)
 
 
-def _measure(current: Shown, settings, wish: Wish) -> None:
+def _measure(current: Shown, settings, made: Development) -> None:
     from .places import Place
 
-    picture = current.picture
-    factors, colours = picture.factors(wish), picture.colours(wish, of_file())
     current.places = []
     for item in settings.places:
-        radiance = picture.radiance(tuple(item.pixel), factors, settings.side)
-        rgb = tuple(float(channel) for channel in radiance @ colours)
+        radiance = made.radiance(tuple(item.pixel), settings.side)
+        rgb = tuple(float(channel) for channel in radiance @ made.colours)
         current.places.append(Place(tuple(item.pixel), radiance, rgb))
     current.apart, current.why_not_compared = None, ""
     if len(current.places) < 2:
         return
     first, second = (place.radiance for place in current.places[:2])
     try:
-        current.apart = picture.metamerism(first, second, wish, _lamp(settings.under))
+        current.apart = made.metamerism(first, second, _lamp(settings.under))
     except ForeseenError as error:
         current.why_not_compared = str(error)
 
@@ -127,13 +128,12 @@ def _wish(settings) -> Wish:
     from .development import DevelopError, Wish
 
     viewer, white = settings.viewer, settings.white
-    is_camera = viewer != FILE and viewer not in _EYES
     if white == PLACE and not settings.places:
         raise DevelopError("Measure what is white first: it is the first place")
     return Wish(
         observer=viewer if viewer in _EYES else "",
-        camera=viewer if is_camera else "",
-        raw=is_camera and settings.raw,
+        camera=viewer if is_camera(viewer) else "",
+        raw=is_camera(viewer) and settings.raw,
         white=None if white in (NONE, PLACE) else _lamp(white)[1],
         white_at=tuple(settings.places[0].pixel) if white == PLACE else None,
         exposure=settings.exposure,

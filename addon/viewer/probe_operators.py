@@ -7,7 +7,7 @@ from __future__ import annotations
 import bpy
 from bpy.props import BoolProperty, EnumProperty, IntProperty
 
-from ..blender.windows import redraw_panels
+from ..blender.windows import begin_pick, end_pick, redraw_panels
 from ..materials.guard import reports_errors
 from . import viewport
 from .pixel import in_picture, in_viewport
@@ -39,19 +39,16 @@ class NACRE_OT_probe(bpy.types.Operator):
     def invoke(self, context, _event):
         if self.properties.is_property_set("x") or context.window is None:
             return self.execute(context)
-        context.window.cursor_modal_set("EYEDROPPER")
-        context.workspace.status_text_set("Click a point of a film to probe it, Esc to cancel")
-        context.window_manager.modal_handler_add(self)
-        return {"RUNNING_MODAL"}
+        return begin_pick(self, context, "Click a point of a film to probe it, Esc to cancel")
 
     def modal(self, context, event):
         if event.type in {"ESC", "RIGHTMOUSE"}:
-            _end(context)
+            end_pick(context)
             return {"CANCELLED"}
         if event.type != "LEFTMOUSE" or event.value != "PRESS":
             # Everything else goes on, such as turning the view.
             return {"PASS_THROUGH"}
-        _end(context)
+        end_pick(context)
         found = viewport.under_mouse(context.window, (event.mouse_x, event.mouse_y))
         if found is None:
             self.report({"WARNING"}, "That was outside of the 3D viewport")
@@ -69,11 +66,6 @@ class NACRE_OT_probe(bpy.types.Operator):
         context.window_manager.nacre_probe.json = found.json()
         redraw_panels()
         return {"FINISHED"}
-
-
-def _end(context) -> None:
-    context.window.cursor_modal_restore()
-    context.workspace.status_text_set(None)
 
 
 class NACRE_OT_copy_probe(bpy.types.Operator):

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import bpy
 
+from ..blender.windows import within
 from .view import Frame, frame
 
 
@@ -37,9 +38,9 @@ def under_mouse(
 ) -> tuple[Viewport, tuple[int, int]] | None:
     """The viewport there, and the pixel of it from its top left."""
     for view in _viewports(window):
-        x, y = mouse[0] - view.region.x, mouse[1] - view.region.y
-        if 0 <= x < view.region.width and 0 <= y < view.region.height:
-            return view, (x, view.region.height - 1 - y)
+        place = within(view.region, mouse)
+        if place is not None:
+            return view, (place[0], view.region.height - 1 - place[1])
     return None
 
 
