@@ -19,6 +19,7 @@ import numpy as np
 from .exr import LINES_OF_ZIP, ExrError, Picture, read_picture
 from .exr_write import ExrWriter
 from .space import Matrix, conversion_from_xyz
+from .versioned import parsed
 
 VERSION = 1
 """Of `nacre:bands`."""
@@ -42,15 +43,10 @@ class BandTable:
     @classmethod
     def parse(cls, text: str) -> BandTable:
         """From what `text` wrote. Raises ExrError that says what is wrong."""
+        said = parsed(text, VERSION, ExrError)
         try:
-            said = json.loads(text)
-            version = said.pop("version")
-            if version > VERSION:
-                raise ExrError(
-                    f"is of version {version}, made by a newer Nacre; this one knows {VERSION}"
-                )
             return cls(**said)
-        except (ValueError, TypeError, KeyError, AttributeError) as error:
+        except TypeError as error:
             raise ExrError(f"cannot be read: {error!r}") from error
 
     @property

@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 from .faults import ForeseenError
+from .light import FIRST_NM, LAST_NM
 
-FIRST_NM, LAST_NM, MOST = 360.0, 830.0, 300
-"""Of all bands there are."""
+MOST = 300
+"""Of bands."""
 _LEAST_NM = 0.5
 """Of a band: they are made of tenths of a nanometre."""
 
@@ -49,7 +50,7 @@ def parse(text: str) -> Wavelengths:
     start, end = first - step / 2, wanted[-1] + step / 2
     if start < FIRST_NM or end > LAST_NM:
         raise WavelengthsError(
-            f"must have bands within {FIRST_NM:g} … {LAST_NM:g} nm (got {start:g} … {end:g})"
+            f"must have bands within {FIRST_NM} … {LAST_NM} nm (got {start:g} … {end:g})"
         )
     edges = [start + step * number for number in range(count + 1)]
     return Wavelengths(wanted, *_covering(list(wanted), edges))
@@ -59,23 +60,21 @@ def _covering(
     bands: list[float], edges: list[float]
 ) -> tuple[tuple[float, ...], tuple[float, ...]]:
     """All that there is, by a multiple of three: what is beside is cut into as many as that takes."""
-    before, after = (gap >= _LEAST_NM for gap in (edges[0] - FIRST_NM, LAST_NM - edges[-1]))
+    before, after = (int(gap >= _LEAST_NM) for gap in (edges[0] - FIRST_NM, LAST_NM - edges[-1]))
     missing = -(len(bands) + before + after) % 3
-    cuts = {"before": int(before), "after": int(after)}
-    if after:
-        cuts["after"] += missing
-    elif before:
-        cuts["before"] += missing
-    elif missing:  # nothing is beside: the last is cut
+    if missing and not before and not after:
         raise WavelengthsError(
-            f"cover all of {FIRST_NM:g} … {LAST_NM:g} nm: their number must be a multiple of three "
+            f"cover all of {FIRST_NM} … {LAST_NM} nm: their number must be a multiple of three "
             f"(got {len(bands)})"
         )
-    lower, upper = _cut(FIRST_NM, edges[0], cuts["before"]), _cut(edges[-1], LAST_NM, cuts["after"])
+    if after:
+        after += missing
+    elif before:
+        before += missing
+    lower, upper = _cut(FIRST_NM, edges[0], before), _cut(edges[-1], LAST_NM, after)
     all_edges = [*lower[:-1], *edges, *upper[1:]]
-    all_edges[0], all_edges[-1] = FIRST_NM, LAST_NM
-    middles = [_middles(part) for part in (lower, upper)]
-    return (*middles[0], *bands, *middles[1]), tuple(all_edges)
+    all_edges[0], all_edges[-1] = float(FIRST_NM), float(LAST_NM)
+    return (*_middles(lower), *bands, *_middles(upper)), tuple(all_edges)
 
 
 def _cut(start: float, end: float, parts: int) -> list[float]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..blender.space import of_file
+from ..core.light import FIRST_NM, LAST_NM
 from ..core.space import REC709, conversion, converted, srgb
 
 
@@ -36,7 +37,7 @@ class Place:
         """471 values from 360 nm, the brightest 0.95."""
         seen = np.maximum(self.radiance, 0.0)
         most = float(seen.max())
-        grid = np.arange(360.0, 831.0)
+        grid = np.arange(FIRST_NM, LAST_NM + 1.0)
         values = np.interp(grid, wavelength_nm, seen * (0.95 / most if most > 0.0 else 0.0))
         return tuple(float(value) for value in values)
 

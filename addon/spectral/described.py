@@ -12,6 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..core.faults import ForeseenError
+from ..core.light import FIRST_NM
+from ..core.versioned import parsed
 from .attributes import PREFIX
 
 if TYPE_CHECKING:
@@ -93,7 +95,7 @@ class Described:
             raise SpectrumError(str(error)) from error
         if max(index.imag) < _LEAST_K:
             raise SpectrumError(f"{key} is no metal: it takes up hardly any visible light")
-        nm = tuple(360.0 + _STEP_NM * step for step in range(len(index)))
+        nm = tuple(float(FIRST_NM) + _STEP_NM * step for step in range(len(index)))
         return tuple(
             cls(CONSTANT, f"{key}, {name}", wavelength_nm=nm, values=tuple(values.tolist()))
             for name, values in (("n", index.real), ("k", index.imag))
@@ -108,15 +110,10 @@ class Described:
     @classmethod
     def parse(cls, text: str) -> Described:
         """From what `text` wrote. Raises SpectrumError that says what is wrong."""
+        said = parsed(text, VERSION, SpectrumError)
         try:
-            said = json.loads(text)
-            version = said.pop("version")
-            if version > VERSION:
-                raise SpectrumError(
-                    f"is of version {version}, made by a newer Nacre; this one knows {VERSION}"
-                )
             found = cls(**{name: _plain(value) for name, value in said.items()})
-        except (ValueError, TypeError, KeyError, AttributeError) as error:
+        except TypeError as error:
             raise SpectrumError(f"cannot be read: {error!r}") from error
         if found.kind not in KINDS or not (found.light or found.wavelength_nm):
             raise SpectrumError("has no kind, or neither a name nor samples")

@@ -9,6 +9,7 @@ import contextlib
 import hashlib
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import bpy
 import numpy as np
@@ -200,16 +201,17 @@ class Film:
         with _told():
             return nacre.optical_thickness(self.template, self.tree.name)
 
-    @property
-    def fringes(self) -> list[np.ndarray]:
-        """Reflectances (9, 471) that bands have to show, head on and from aside."""
-        import nacre
 
-        with _told():
-            return [
-                nacre.film_fringes(self.template, file=self.tree.name, angle_deg=angle)
-                for angle in _ANGLES_DEG
-            ]
+@lru_cache(maxsize=64)
+def _fringes(template: str, name: str) -> np.ndarray:
+    """Reflectances (N, 471) that bands have to show, head on and from aside. Some stacks take seconds, and
+    each lamp that changes asks again. Raises FilmError."""
+    import nacre
+
+    with _told():
+        return np.concatenate(
+            [nacre.film_fringes(template, file=name, angle_deg=angle) for angle in _ANGLES_DEG]
+        )
 
 
 @contextlib.contextmanager
@@ -240,16 +242,15 @@ def fringes() -> tuple[list[float], np.ndarray]:
     """What bands are chosen by: optical thicknesses and reflectances (…, 471). Thicknesses differ hardly, so
     that each has to be right, and not their mean. Raises FilmError."""
     thicknesses: list[float] = []
-    reflectances: list[np.ndarray] = []
+    reflectances = [np.empty((0, 471))]
     for film in {film.template: film for film in films()}.values():
         thickness_nm = film.optical_thickness_nm
-        for rows in film.fringes if thickness_nm > 0.0 else ():
-            thicknesses += [
-                thickness_nm * (1.0 + _HARDLY * (len(thicknesses) + row))
-                for row in range(len(rows))
-            ]
+        if thickness_nm > 0.0:
+            rows = _fringes(film.template, film.tree.name)
+            apart = np.arange(len(thicknesses), len(thicknesses) + len(rows))
+            thicknesses += list(thickness_nm * (1.0 + _HARDLY * apart))
             reflectances.append(rows)
-    return thicknesses, np.concatenate(reflectances) if reflectances else np.empty((0, 471))
+    return thicknesses, np.concatenate(reflectances)
 
 
 def digest() -> str:

@@ -12,23 +12,14 @@ import pytest
 
 import nacre
 from nacre import library
+from support.spectral import FINE, OBSERVERS, observer_at
 
-FINE = 360.05 + 0.1 * np.arange(4700)
 SHAPE = colour.SpectralShape(360, 830, 1)
-OBSERVERS = {
-    "cie1931": "CIE 1931 2 Degree Standard Observer",
-    "cie1964": "CIE 1964 10 Degree Standard Observer",
-}
 LASERS = nacre.Lines([462.0, 532.0, 638.0], [1.0, 0.8, 1.2])
 LAMPS = ["D65", "A", "F2", "F11", "LED-B3", "lamp/hps", "lamp/lps"]
 CHART = [
     library.spectrum(key) for key in library.keys("spectra") if key.startswith("colorchecker/")
 ]
-
-
-def observer_at(nm, observer="cie1931"):
-    cmfs = colour.MSDS_CMFS[OBSERVERS[observer]].copy().align(SHAPE)
-    return np.stack([np.interp(nm, cmfs.wavelengths, cmfs.values[:, c]) for c in range(3)], -1)
 
 
 def power_of(lamp):

@@ -10,16 +10,10 @@ import pytest
 
 import nacre
 from nacre import develop, library
+from support.spectral import light_at, observer_at, reflectance_at
 
-CMFS = {
-    "cie1931": "CIE 1931 2 Degree Standard Observer",
-    "cie1964": "CIE 1964 10 Degree Standard Observer",
-}
 D65 = colour.xy_to_XYZ((0.3127, 0.3290))
-SHAPE = colour.SpectralShape(360, 830, 1)
-CHART = [
-    library.spectrum(key) for key in library.keys("spectra") if key.startswith("colorchecker/")
-]
+CHART = [key for key in library.keys("spectra") if key.startswith("colorchecker/")]
 
 
 @pytest.fixture(scope="module")
@@ -32,21 +26,14 @@ def under_a(bands):
     """Radiances of the chart and of white."""
     light = bands.in_bands("A")
     power = light / bands.xyz(light)[1]
-    patches = [np.interp(bands.wavelength_nm, p.wavelength_nm, p.values) for p in CHART]
+    patches = [reflectance_at(key, bands.wavelength_nm) for key in CHART]
     return np.array([*patches, np.ones(len(bands))]) * power, power
 
 
 def exact_under_a(observer):
-    cmfs = colour.MSDS_CMFS[CMFS[observer]].copy().align(SHAPE)
-    light = colour.SDS_ILLUMINANTS["A"].copy().align(SHAPE)
-    surfaces = [
-        *(
-            colour.SpectralDistribution(p.values, p.wavelength_nm).align(SHAPE).values
-            for p in CHART
-        ),
-        np.ones(471),
-    ]
-    seen = np.array(surfaces) @ (cmfs.values * light.values[:, None])
+    nm, power = light_at("A")
+    surfaces = [*(reflectance_at(key, nm) for key in CHART), np.ones(len(nm))]
+    seen = np.array(surfaces) @ (observer_at(nm, observer) * power[:, None])
     return seen / seen[-1, 1]
 
 
@@ -69,8 +56,8 @@ def test_an_eye_that_adapts_sees_as_colour_science_says(bands, under_a, observer
 
 def test_a_camera_that_sees_as_the_eye_does_shows_what_it_sees(bands, under_a):
     radiance, power = under_a
-    cmfs = colour.MSDS_CMFS[CMFS["cie1931"]].copy().align(SHAPE)
-    eye = develop.Sensitivities(cmfs.wavelengths, np.maximum(cmfs.values.T, 0.0))
+    nm = np.arange(360.0, 831.0)
+    eye = develop.Sensitivities(nm, np.maximum(observer_at(nm).T, 0.0))
     by_camera = radiance @ develop.colours(bands, camera=eye, white=power)
     by_eye = radiance @ develop.colours(bands, white=power)
     np.testing.assert_allclose(by_camera, by_eye, atol=2e-4)

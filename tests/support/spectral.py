@@ -12,11 +12,15 @@ from nacre import library
 
 from .colours import delta_e as of_rgb
 
+OBSERVERS = {
+    "cie1931": "CIE 1931 2 Degree Standard Observer",
+    "cie1964": "CIE 1964 10 Degree Standard Observer",
+}
 FINE = 360.05 + 0.1 * np.arange(4700)
 
 
-def observer_at(nm):
-    cmfs = colour.MSDS_CMFS["CIE 1931 2 Degree Standard Observer"]
+def observer_at(nm, observer="cie1931"):
+    cmfs = colour.MSDS_CMFS[OBSERVERS[observer]]
     cmfs = cmfs.copy().align(colour.SpectralShape(360, 830, 1))
     return np.stack([np.interp(nm, cmfs.wavelengths, cmfs.values[:, c]) for c in range(3)], -1)
 
